@@ -7,11 +7,12 @@
 //     set_home(...)               the first eye
 //     set_screen(width, height)   where frames lie, 4 bytes a pixel: red, green, blue, 255
 //     advance(...)                each tick; tells whether the eye moves
-//     draw_frame(mode, format, background)
+//     draw_frame(mode, format, background)   over a colour, or kGradient
 //
 // Whatever grows memory (field_memory, set_screen) makes the script's views of it void.
 #include "drawing.h"
 #include "lumi/gesture.h"
+#include "lumi/host/backdrop.h"
 #include "lumi/orbit.h"
 
 #define LUMI_EXPORT(name) extern "C" __attribute__((export_name(#name)))
@@ -23,6 +24,7 @@ using namespace lumi;
 using namespace lumi::wasm;
 
 constexpr int32_t kRgbaBytes = 4;
+constexpr uint32_t kGradient = 1u << 24;  // in place of a colour
 // Fingers' places come in 1/1024 of the display's shorter side, whatever its pixels: half a turn across it.
 constexpr uint32_t kTurnPerStep = degrees(180) / 1024;
 constexpr int32_t kNearestEye = radii(5) / 4, kFarthestEye = radii(8);
@@ -30,8 +32,8 @@ constexpr int32_t kNearestEye = radii(5) / 4, kFarthestEye = radii(8);
 struct Memory {
     uint8_t* field = nullptr;
     size_t field_bytes = 0;
-    uint8_t* frame = nullptr;  // all from here on is of the screen
-    uint8_t* stripe = nullptr;
+    uint8_t* frame = nullptr;   // all from here on is of the screen
+    uint8_t* stripe = nullptr;  // and a second one behind it
     uint8_t* rgba = nullptr;
 };
 
@@ -75,19 +77,32 @@ bool approach(uint32_t elapsed_ms)
     return true;
 }
 
+// What a display shows of a stripe; over the gradient, of a stripe over each of its two greys.
 template <class Pixel>
-void copy_to_canvas(const Stripe& stripe)
+void copy_to_canvas(const Stripe& stripe, const Stripe& over_middle)
 {
     uint8_t* to = memory.rgba + stripe.y_px * stripe.width_px * kRgbaBytes;
-    const uint8_t* from = stripe.pixels;
-    const int32_t count = stripe.width_px * stripe.height_px;
-    for (int32_t k = 0; k < count; ++k, to += kRgbaBytes, from += Pixel::kBytes) {
-        const Rgb8 colour = Pixel::load(from);  // what a display shows
-        to[0] = colour.r;
-        to[1] = colour.g;
-        to[2] = colour.b;
-        to[3] = 255;
-    }
+    const uint8_t *from = stripe.pixels, *middle = over_middle.pixels;
+    for (int32_t y = stripe.y_px; y < stripe.y_px + stripe.height_px; ++y)
+        for (int32_t x = 0; x < stripe.width_px; ++x, to += kRgbaBytes) {
+            Rgb8 colour = Pixel::load(from);
+            if (middle != nullptr) {
+                const int32_t share = host::backdrop_share(x, y, image.width_px, image.height_px);
+                colour = host::over_backdrop<Pixel>(colour, Pixel::load(middle), share, x, y);
+                middle += Pixel::kBytes;
+            }
+            from += Pixel::kBytes;
+            to[0] = colour.r;
+            to[1] = colour.g;
+            to[2] = colour.b;
+            to[3] = 255;
+        }
+}
+
+// Of a stripe in any format; a multiple of kAlignment.
+size_t stripe_bytes(int32_t width_px)
+{
+    return static_cast<size_t>(width_px) * kStripeRows * PixelRgb888::kBytes;
 }
 
 uint32_t pixel_bytes(DisplayFormat format)
@@ -96,14 +111,21 @@ uint32_t pixel_bytes(DisplayFormat format)
         format, [](auto pixel) { return decltype(pixel)::kBytes; });
 }
 
-ViewError draw_stripes(const Style& style)
+ViewError draw_stripes(Style style, bool over_gradient)
 {
     const uint32_t stride = static_cast<uint32_t>(image.width_px) * pixel_bytes(style.format);
     for (int32_t y = 0; y < image.height_px; y += kStripeRows) {
         const int32_t left = image.height_px - y, rows = left < kStripeRows ? left : kStripeRows;
         const Stripe stripe = {memory.stripe, 0, y, image.width_px, rows, stride};
+        Stripe over_middle = {nullptr, 0, y, image.width_px, rows, stride};
+        if (over_gradient) {
+            over_middle.pixels = memory.stripe + stripe_bytes(image.width_px);
+            style.background.colour = host::kBackdropMiddle;
+            if (const ViewError error = draw(style, over_middle); error != ViewError::none) return error;
+            style.background.colour = host::kBackdropCorner;
+        }
         if (const ViewError error = draw(style, stripe); error != ViewError::none) return error;
-        with_pixel(style.format, [&](auto pixel) { copy_to_canvas<decltype(pixel)>(stripe); });
+        with_pixel(style.format, [&](auto pixel) { copy_to_canvas<decltype(pixel)>(stripe, over_middle); });
     }
     return ViewError::none;
 }
@@ -142,7 +164,7 @@ LUMI_EXPORT(set_screen) uint8_t* set_screen(int32_t width_px, int32_t height_px)
     if (memory.frame != nullptr) release_from(memory.frame);
     const size_t width = static_cast<size_t>(width_px), height = static_cast<size_t>(height_px);
     memory.frame = reserve(drawing_bytes(width_px, height_px));
-    memory.stripe = reserve(width * kStripeRows * PixelRgb888::kBytes);
+    memory.stripe = reserve(2 * stripe_bytes(width_px));
     memory.rgba = reserve(width * height * kRgbaBytes);
     if (memory.frame == nullptr || memory.stripe == nullptr || memory.rgba == nullptr) return nullptr;
     image = image_of(home, width_px, height_px);
@@ -203,7 +225,7 @@ LUMI_EXPORT(advance) bool advance(bool is_down, int32_t x, int32_t y, uint32_t e
     return approach(elapsed_ms) || turns;
 }
 
-// Returns 0, or a ViewError. The background: red, green and blue, 8 bits each, red on top.
+// Returns 0, or a ViewError. The background: red, green and blue, 8 bits each, red on top; or kGradient.
 LUMI_EXPORT(draw_frame) uint32_t draw_frame(uint32_t mode, uint32_t format, uint32_t background)
 {
     if (image.width_px == 0 || !is_style(mode, format)) return static_cast<uint32_t>(ViewError::bad_argument);
@@ -211,7 +233,7 @@ LUMI_EXPORT(draw_frame) uint32_t draw_frame(uint32_t mode, uint32_t format, uint
                          static_cast<uint8_t>(background)};
     const Style style = {mode, static_cast<DisplayFormat>(format), {colour}};
     ViewError error = look(pose_of(eye.orbit), image, style, memory.frame);
-    if (error == ViewError::none) error = draw_stripes(style);
+    if (error == ViewError::none) error = draw_stripes(style, background == kGradient);
     return static_cast<uint32_t>(error);
 }
 

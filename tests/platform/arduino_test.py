@@ -86,7 +86,7 @@ def check_picture(shop, name, pixels):
     frame.write_bytes(pixels[:FRAME_BYTES])
     size = f"{SIDE}x{SIDE}"
     for command in ([shop.lumi, "render", shop.field, "-o", expected, "--size", size, "--orbit", "30,20,3", "--mode",
-                     "antialiased", "--pixel", "rgb565"],
+                     "antialiased", "--pixel", "rgb565", "--background", "black"],
                     [sys.executable, "-B", ROOT / "tools/lab/devices/picture.py", "rgb565-swapped", size, frame,
                      "--same-as", expected, "png"]):
         result = subprocess.run([str(c) for c in command], capture_output=True, text=True)

@@ -87,7 +87,7 @@ check() {
   if [[ -z $expected ]]; then
     expected=$folder/expected-$frame.png
     "$lumi" render "$field" -o "$expected" --size "$size" --orbit $((30 + 300 * frame)),$((20 + 15 * frame)),3 \
-      --mode antialiased --pixel rgb565 >/dev/null
+      --mode antialiased --pixel rgb565 --background black >/dev/null
   fi
   if [[ $format == png ]]; then pixels=$folder/frame-$frame.png; else output=(-o "$folder/frame-$frame.png"); fi
   python3 -B "$root/tools/lab/devices/picture.py" "$format" "$size" "$pixels" "${output[@]}" --same-as "$expected" \
@@ -212,7 +212,7 @@ check_round_mask() {
 check_size() {
   mkdir -p "$1/sized"
   "$1/build/lumi_simulator" --frames "$1/sized" --size 466x466
-  "$lumi" render "$field" -o "$1/expected-sized.png" --orbit 30,20,3 --size 466x466 --mode antialiased --pixel rgb565 >/dev/null
+  "$lumi" render "$field" -o "$1/expected-sized.png" --orbit 30,20,3 --size 466x466 --mode antialiased --pixel rgb565 --background black >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" png 466x466 "$1/sized/frame-0.png" --same-as "$1/expected-sized.png" png
   ! "$1/build/lumi_simulator" --size 1x1 2>/dev/null || die "simulator: --size 1x1 is taken"
 }
@@ -225,7 +225,7 @@ run_simulator() {
   "$folder/build/lumi_simulator" --frames "$folder"
   for ((frame = 0; frame < frames; ++frame)); do check simulator png 240x240 "$frame"; done
   SDL_VIDEODRIVER=dummy "$folder/build/lumi_simulator" --frames "$folder/dragged" --drag 20,-10 --chip rp2040
-  "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 >/dev/null
+  "$lumi" render "$field" -o "$folder/expected-dragged.png" --orbit 10,10,3 --mode antialiased --pixel rgb565 --background black >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" png 240x240 "$folder/dragged/frame-1.png" \
     --same-as "$folder/expected-dragged.png" png
   check_round_mask "$folder"
@@ -271,7 +271,7 @@ run_lvgl() {
   # The first view has whole degrees: `lumi render` draws it.
   side=$(value side "$folder/log")
   "$lumi" render "$field" -o "$folder/rendered.png" --size "${side}x$side" --orbit 30,20,3 --mode antialiased \
-    --pixel rgb565 >/dev/null
+    --pixel rgb565 --background black >/dev/null
   python3 -B "$root/tools/lab/devices/picture.py" rgb565 "${side}x$side" "$folder/rgb565-0.expected" \
     --same-as "$folder/rendered.png" png
 }

@@ -98,7 +98,7 @@ class Model:
         if kind != "drawn":
             self.run("reference", self.scene, *look, "--spp", spp)
         elif self.field.exists():
-            self.run("render", self.field, *look)
+            self.run("render", self.field, *look, "--background", "black")
         return path
 
     def psnr_to(self, truth, side):

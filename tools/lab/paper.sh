@@ -75,7 +75,7 @@ measure_background() {
       "$lumi" reference "$root/baker/scenes/${scene_files[$scene]}" -o "$work/truth.png" --spp "$reference_spp" \
         --orbit "$eye_orbit" --size "$size" --fov "$fov" >/dev/null
       "$lumi" render "$work/$scene.lumi" -o "$work/drawn.png" --mode paper --orbit "$eye_orbit" --size "$size" \
-        --fov "$fov" >/dev/null
+        --fov "$fov" --background black >/dev/null
       printf '%s{"share": "%s"' "$separator" "$share"
       "$lumi" compare "$work/drawn.png" "$work/truth.png" | awk '{ printf ", \"%s\": %s", $1, $2 }'
       printf '}'

@@ -31,7 +31,7 @@ trace() {
 draw() {
   local truth=$root/docs/img/$1.png drawn=$root/docs/img/$1-drawn.png field=$work/${2%.*}.lumi
   bake_once "${2%.*}" "$scenes/$2" >&2
-  "$lumi" render "$field" -o "$drawn" --orbit "$3" --size 320x320 >/dev/null
+  "$lumi" render "$field" -o "$drawn" --orbit "$3" --size 320x320 --background black >/dev/null
   "$lumi" compare "$truth" "$drawn" --json >"$work/compared.json"
   "$lumi" inspect "$field" --json >"$work/inspected.json"
   python3 -c 'import json, sys

@@ -60,7 +60,7 @@ DecodedPicture read_png(const fs::path& file)
 {
     const std::string bytes = picture_bytes(file);
     if (!host::is_png(bytes)) throw PictureError("it is no PNG picture");
-    return host::decode_png(bytes, false);
+    return host::decode_png(bytes, true);
 }
 
 void refuse_picture(const fs::path& file, const std::string& bytes)

@@ -50,8 +50,6 @@ namespace lumi::host
 namespace
 {
 
-constexpr int kChannels = 3;
-
 // stb_image_write counts bytes in an int: all rows with a byte of its own before each, what they are packed into, and,
 // to choose a row's filter, the sum of its bytes' magnitudes, which are at most 128.
 bool fits_int(const PictureView& picture)
@@ -59,7 +57,7 @@ bool fits_int(const PictureView& picture)
     constexpr int64_t kMost = std::numeric_limits<int>::max();
     constexpr int64_t kMagnitude = 128;
     constexpr int64_t kAroundPacked = 1 << 20;  // more than chunks take, and zlib for 2 GB that it cannot pack
-    const int64_t row = int64_t{picture.width} * kChannels;
+    const int64_t row = int64_t{picture.width} * picture.channels;
     return row * kMagnitude <= kMost && (row + 1) * picture.height <= kMost - kAroundPacked;
 }
 
@@ -74,7 +72,7 @@ std::string png_bytes(const PictureView& picture)
     stbi_write_png_compression_level = Z_DEFAULT_COMPRESSION;
     int size = 0;
     const std::unique_ptr<unsigned char, decltype(&std::free)> bytes(
-        stbi_write_png_to_mem(picture.rgb, 0, picture.width, picture.height, kChannels, &size), &std::free);
+        stbi_write_png_to_mem(picture.pixels, 0, picture.width, picture.height, picture.channels, &size), &std::free);
     if (!bytes) throw std::bad_alloc();
     return std::string(reinterpret_cast<const char*>(bytes.get()), static_cast<size_t>(size));
 }

@@ -62,6 +62,8 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {{"render", field, "-o", png, "--mode", "paper", "--span", "8"}, "paper draws every pixel exactly"},
         {render("--mode", "dither"), "nearest, linear or paper"},
         {render("--background", "red"), "RRGGBB"},
+        {{"render", field, "-o", png, "--background", "none", "--pixel", "rgb565"}, "--pixel rgb888 only"},
+        {{"view", field, "-o", png, "--background", "none"}, "gradient, black or a colour"},
         {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},
         {render("--turntable", "0"), "--turntable"},
         {bake("--texel", "rgb"), "palette8"},

@@ -24,7 +24,7 @@ TEST_CASE("a chord field of an earlier version draws the pictures that it drew t
     for (const auto& p : pictures) {
         CAPTURE(p.mode);
         const test::Outcome outcome = test::lumi({"render", LUMI_OLD_FIELD, "-o", png, "--size", "96x64", "--orbit",
-                                                  "37,23,3", "--fov", "40", "--mode", p.mode});
+                                                  "37,23,3", "--fov", "40", "--background", "black", "--mode", p.mode});
         INFO(outcome.err);
         REQUIRE(outcome.code == 0);
         const Picture picture = read_png(png);

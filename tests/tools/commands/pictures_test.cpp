@@ -90,7 +90,8 @@ TEST_CASE("render and reference show the same view, from wherever the eye is and
     for (const std::string up : {"y", "z"}) {
         bake_picture_field(folder / "f.lumi", {"--origins", "600", "--directions", "1200", "--spp", "2", "--up", up});
         for (const std::string orbit : {"20,25,3", "130,-30,2", "250,60,6"}) {
-            draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--orbit", orbit, "--size", "64x64"});
+            draw({"render", folder / "f.lumi", "-o", folder / "a.png", "--orbit", orbit, "--size", "64x64",
+                  "--background", "black"});
             draw({"reference", kScene, "-o", folder / "b.png", "--orbit", orbit, "--size", "64x64", "--spp", "4",
                   "--up", up});
             const Picture a = read_png(folder / "a.png"), b = read_png(folder / "b.png");
@@ -128,6 +129,19 @@ TEST_CASE("turntables of render and reference are named alike")
         CHECK(std::filesystem::exists(folder / ("b-" + name + ".png")));
     }
     CHECK(folder.entries() == 9);
+}
+
+TEST_CASE("compare says that backgrounds differ")
+{
+    const test::TemporaryFolder folder;
+    Picture framed(20, 20, {40, 40, 40});
+    write_png(folder / "grey.png", framed);
+    for (const int corner : {0, 19, 380, 399}) std::fill_n(&framed.rgb[static_cast<size_t>(3 * corner)], 3, uint8_t{0});
+    write_png(folder / "black.png", framed);
+    CHECK_THAT(lumi({"compare", folder / "grey.png", folder / "black.png"}).err,
+               Catch::Contains("black.png has black corners") && Catch::Contains("--background black"));
+    for (const char* name : {"grey.png", "black.png"})
+        CHECK(lumi({"compare", folder / name, folder / name}).err.empty());
 }
 
 TEST_CASE("compare prints the promised JSON keys")

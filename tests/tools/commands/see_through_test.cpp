@@ -50,7 +50,8 @@ TEST_CASE("render shows in every mode what stands behind a pane, and beside the 
     write_pane_above_square(field);
     for (const char* mode : {"one-sample", "antialiased", "2x2"}) {
         INFO(mode);
-        success({"render", field, "-o", picture, "--size", "64x64", "--orbit", "0,90,3", "--mode", mode});
+        success({"render", field, "-o", picture, "--size", "64x64", "--orbit", "0,90,3", "--background", "black",
+                 "--mode", mode});
         const Picture drawn = read_png(picture);
         for (size_t c = 0; c < kPane.added.size(); ++c) {
             const int through = kPane.added[c] + kPane.passed[c] * kSquare[c] / 255;

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "draw/draw_surface.h"
 #include "image/picture_file.h"
+#include "lumi/host/png.h"
 #include "metrics/psnr.h"
 #include "support/program.h"
 #include "support/small_surface.h"
@@ -55,6 +57,50 @@ TEST_CASE("render draws surface fields in every mode of theirs, by default the b
     CHECK(psnr_db(smooth, best) > psnr_db(rough, best));
     CHECK(psnr_db(drawn({"--pixel", "rgb565"}), best) > 35);
     CHECK(drawn({"--background", "00ff00"}).pixel(0, 0)[1] == 255);
+}
+
+TEST_CASE("render draws over a dark grey gradient, over black where it is told so, or over nothing")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "c.lumi", test::field_bytes({}));
+    const std::string surface = write_surface(folder), png = folder / "o.png";
+    const auto drawn = [&](const test::Arguments& call, const std::string& background) {
+        const test::Arguments over =
+            background.empty() ? test::Arguments{} : test::Arguments{"--background", background};
+        const test::Outcome outcome = lumi(joined(joined({"render", "-o", png, "--size", "64x64"}, call), over));
+        INFO(outcome.err);
+        REQUIRE(outcome.code == 0);
+        return host::decode_png(test::content_of(png), true);
+    };
+    SurfaceField field;
+    const auto& file = test::small_surface().file;
+    REQUIRE(open_surface(file.data(), file.size(), field) == FieldError::none);
+    const Eye eye = {host::make_pose({30, 20, 3}), host::make_image(64, 64, host::framing_fov_deg(64, 64, 3)), {}};
+    CHECK((drawn({surface}, "black").rgb == draw_surface(field, eye).rgb));
+    for (const test::Arguments& call : {test::Arguments{surface, "--mode", "2x2"},
+                                        {surface, "--mode", "antialiased"},
+                                        {surface, "--mode", "one-sample"},
+                                        {folder / "c.lumi"}}) {
+        const auto gradient = drawn(call, ""), black = drawn(call, "black"), alone = drawn(call, "none");
+        CHECK(black.alpha.empty());
+        CHECK(gradient.alpha.empty());
+        CHECK((gradient.rgb[0] >= 33 && gradient.rgb[0] <= 60));
+        CHECK((black.rgb == drawn(call, "#000000").rgb));
+        REQUIRE(alone.alpha.size() == 64 * 64);
+        for (size_t i = 0; i < black.rgb.size(); ++i)
+            if (alone.alpha[i / 3] == 255) CHECK(gradient.rgb[i] == black.rgb[i]);
+        for (const char* colour : {"ffe0c0", "30a080"}) {
+            const auto over = drawn(call, colour);
+            const uint8_t* const back = over.rgb.data();  // the first pixel lies beside the object
+            int worst = 0;
+            for (size_t i = 0; i < over.rgb.size(); ++i) {
+                const int alpha = alone.alpha[i / 3];
+                const int laid = (alone.rgb[i] * alpha + back[i % 3] * (255 - alpha) + 127) / 255;
+                worst = std::max(worst, std::abs(laid - over.rgb[i]));
+            }
+            CHECK(worst <= 1);
+        }
+    }
 }
 
 TEST_CASE("a turntable of a surface field is drawn")

@@ -109,7 +109,7 @@ TEST_CASE("a pose draws what its orbit draws, and --over shows the photograph wh
     for (size_t i = 0; i < photo.rgb.size(); ++i) photo.rgb[i] = static_cast<uint8_t>(i * 7);
     write_png(folder / "photo.png", photo);
     const Picture over = render("c.png", {"--over", folder / "photo.png", "--fov", "60"});
-    const Picture black = render("d.png", {"--size", "48x32", "--fov", "60"});
+    const Picture black = render("d.png", {"--size", "48x32", "--fov", "60", "--background", "black"});
     REQUIRE(same_size(over, photo));
     CHECK(std::equal(over.pixel(0, 0), over.pixel(0, 0) + 3, photo.pixel(0, 0)));
     CHECK(over.rgb != photo.rgb);

@@ -71,6 +71,42 @@ TEST_CASE("a turntable in one file holds a frame for each view, and turns in fou
         ++frames;
     }
     CHECK(frames == 4);
+
+    constexpr size_t kFlagsAt = 20;  // of the file's head, VP8X
+    constexpr int kHasAlpha = 0x10;
+    CHECK((bytes[kFlagsAt] & kHasAlpha) == 0);
+    options.background.kind = Background::Kind::none;
+    write_views(options, folder / "b.webp", [&](const Eye& eye, const Rgb8& background) {
+        if (background.r == 0) grey = static_cast<uint8_t>(grey + 60);
+        Picture picture(eye.image.width_px, eye.image.height_px, background);
+        std::fill_n(picture.pixel(0, 0), 3 * 12 * 4, grey);
+        return picture;
+    });
+    const std::string alone = test::content_of(folder / "b.webp");
+    CHECK((alone[kFlagsAt] & kHasAlpha) != 0);
+    CHECK(alone.find("ALPH") != std::string::npos);
+}
+
+TEST_CASE(
+    "over the gradient an object keeps its colours, and beside it every pixel is a dark grey, lighter in the middle")
+{
+    const test::TemporaryFolder folder;
+    ViewOptions options = small_views();
+    options.background.kind = Background::Kind::gradient;
+    for (const DisplayFormat display : {DisplayFormat::rgb888, DisplayFormat::rgb565}) {
+        const auto drawer = [](const Eye& eye, const Rgb8& background) {
+            Picture picture(eye.image.width_px, eye.image.height_px, background);
+            picture.pixel(4, 4)[0] = picture.pixel(4, 4)[1] = picture.pixel(4, 4)[2] = 0;
+            return picture;
+        };
+        write_views(options, folder / "a.png", drawer, display);
+        const Picture picture = read_png(folder / "a.png");
+        for (size_t i = 0; i < picture.rgb.size(); ++i) {
+            const bool is_object = i / 3 == 4 * 12 + 4;
+            CHECK((is_object ? picture.rgb[i] == 0 : picture.rgb[i] >= 33 && picture.rgb[i] <= 107));
+        }
+        CHECK(picture.pixel(6, 4)[1] > picture.pixel(0, 0)[1] + 50);
+    }
 }
 
 TEST_CASE("a turntable writes numbered pictures and a contact sheet")

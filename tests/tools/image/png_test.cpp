@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 
 #include "lumi/host/png.h"
@@ -23,6 +24,21 @@ TEST_CASE("a picture written as PNG reads back byte for byte, for any shape")
         CHECK(same_size(picture, read));
         CHECK((picture.rgb == read.rgb));
     }
+}
+
+TEST_CASE("a PNG keeps alpha, and is read as it looks over black")
+{
+    const test::TemporaryFolder folder;
+    Picture picture = test::random_picture(5, 4, 8);
+    for (uint8_t k = 0; k < 20; ++k) picture.alpha.push_back(static_cast<uint8_t>(k * 13));
+    write_png(folder / "a.png", picture);
+    const auto decoded = host::decode_png(test::content_of(folder / "a.png"), true);
+    CHECK((decoded.rgb == picture.rgb));
+    CHECK((decoded.alpha == picture.alpha));
+    const Picture black = read_png(folder / "a.png");
+    CHECK(black.alpha.empty());
+    for (size_t i = 0; i < black.rgb.size(); ++i)
+        CHECK(black.rgb[i] == std::lround(picture.rgb[i] * picture.alpha[i / 3] / 255.0));
 }
 
 TEST_CASE("a PNG of a smooth picture is much smaller than its pixels")

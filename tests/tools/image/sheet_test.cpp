@@ -37,6 +37,22 @@ TEST_CASE("a contact sheet shows every picture once, row by row, on the backgrou
     CHECK(picture.pixel(picture.width_px - 1, picture.height_px - 1)[0] == 9);  // no eighth picture
 }
 
+TEST_CASE("a contact sheet over nothing counts colours by their alpha, and nothing is in its gaps")
+{
+    Picture picture(2, 2, {90, 0, 0});
+    picture.alpha = {0, 200, 200, 200};
+    picture.pixel(0, 0)[0] = 7;  // is not seen
+    const Picture small = shrunk(picture, 2);
+    CHECK(small.pixel(0, 0)[0] == 90);
+    CHECK(small.alpha_at(0, 0) == 150);
+    ContactSheet sheet(2, 2, 2, {0, 0, 0}, false);
+    for (int k = 0; k < 2; ++k) sheet.add(picture);
+    const Picture& drawn = sheet.picture();
+    CHECK(drawn.alpha_at(1, 1) == 200);
+    CHECK(drawn.alpha_at(2, 1) == 0);
+    CHECK(drawn.alpha_at(2 + kSheetGap, 1) == 200);
+}
+
 TEST_CASE("a contact sheet of large pictures is shrunk to its widest width")
 {
     for (const int width : {1, 100, 1000, 8192}) {

@@ -15,7 +15,7 @@ const puppeteer = createRequire(path.resolve(modules, 'x.js'))('puppeteer-core')
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'lumi-browser-test-'));
 const page = path.join(folder, 'page.html'), compared = path.join(folder, 'compared.html');
-execFileSync(lumi, ['render', field, '-o', path.join(folder, 'truth.png'), '--turntable', '4']);
+execFileSync(lumi, ['render', field, '-o', path.join(folder, 'truth.png'), '--turntable', '4', '--background', 'black']);
 execFileSync(lumi, ['view', field, '-o', page]);
 execFileSync(lumi, ['view', field, '-o', compared, '--reference', folder]);
 

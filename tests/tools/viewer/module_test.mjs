@@ -17,6 +17,7 @@ const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'lumi-view-test-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true}));
 
 const FORMATS = ['rgb888', 'rgb565', 'grey8'];  // by number: platform/wasm/drawing.h
+const GRADIENT = 2 ** 24;  // platform/wasm/viewer.cpp
 const BACKGROUND = '204060', ORBIT = '211.5,-41,3';
 
 async function pageOfField() {
@@ -30,10 +31,10 @@ async function pageOfField() {
 }
 
 // The tool draws these from that orbit and from the other side.
-function rendered(size, mode, format, layout) {
+function rendered(size, mode, format, layout, background) {
   const output = path.join(folder, 'picture.png');
   const span = layout === 'chord' && mode !== 'paper' ? ['--span', '8'] : [];
-  execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', ORBIT, '--background', BACKGROUND,
+  execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', ORBIT, '--background', background,
     '--mode', mode, '--pixel', format, '--turntable', '2', ...span]);
   return ['000', '001'].map(number => readPng(path.join(folder, `picture-${number}.png`)));
 }
@@ -51,12 +52,14 @@ test('frames are those of lumi render, in every mode and format', async () => {
   const {data, module} = await pageOfField();
   for (const mode of data.modes) {
     for (const [number, format] of FORMATS.entries()) {
-      module.go_home();
-      for (const truth of rendered(`${width}x${height}`, mode.name, format, data.layout)) {
-        const frame = drawn(module, width, height, mode.number, number, parseInt(BACKGROUND, 16));
-        assert.ok(frame.equals(truth.pixels), `${mode.name} ${format}`);
-        assert.ok(new Set(frame).size > 4, 'the picture shows something');
-        module.turn(2 ** 31);
+      for (const [background, code] of [[BACKGROUND, parseInt(BACKGROUND, 16)], ['gradient', GRADIENT]]) {
+        module.go_home();
+        for (const truth of rendered(`${width}x${height}`, mode.name, format, data.layout, background)) {
+          const frame = drawn(module, width, height, mode.number, number, code);
+          assert.ok(frame.equals(truth.pixels), `${mode.name} ${format} ${background}`);
+          assert.ok(new Set(frame).size > 4, 'the picture shows something');
+          module.turn(2 ** 31);
+        }
       }
     }
   }

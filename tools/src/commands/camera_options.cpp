@@ -35,11 +35,17 @@ void set_orbit(const std::string& text, ViewOptions& options)
 
 void set_background(const std::string& text, ViewOptions& options)
 {
-    const auto colour = parse_colour(text);
-    if (!colour)
-        throw CLI::ValidationError("--background",
-                                   "takes six hexadecimal digits RRGGBB such as ff8000, not \"" + text + "\"");
-    options.background = *colour;
+    if (text == "gradient") {
+        options.background = {Background::Kind::gradient, {}};
+    } else if (text == "none") {
+        options.background = {Background::Kind::none, {}};
+    } else if (const auto colour = parse_colour(text == "black" ? "000000" : text)) {
+        options.background = {Background::Kind::colour, *colour};
+    } else {
+        throw CLI::ValidationError(
+            "--background",
+            "takes gradient, black, none, or six hexadecimal digits RRGGBB such as ff8000, not \"" + text + "\"");
+    }
 }
 
 // An option whose text a setter turns into a field of `options`.
@@ -59,21 +65,18 @@ void add_orbit(CLI::App& command, ViewOptions& options)
         "[30,20,3]");
 }
 
-void add_background(CLI::App& command, ViewOptions& options)
-{
-    add(command, "--background", set_background, options, "RRGGBB", "Colour where the scene does not cover [000000]");
-}
-
 }  // namespace
 
 void add_start_options(CLI::App& command, ViewOptions& options)
 {
     add_orbit(command, options);
-    add_background(command, options);
+    add(command, "--background", set_background, options, "gradient|black|RRGGBB",
+        "What lies behind the object [gradient, a dark grey one; black with --reference]");
 }
 
-void add_camera_options(CLI::App& command, ViewOptions& options)
+void add_camera_options(CLI::App& command, ViewOptions& options, const std::string& background)
 {
+    set_background(background, options);
     constexpr double kMinFovDeg = 1, kMaxFovDeg = 120;
     add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
     add_orbit(command, options);
@@ -89,7 +92,8 @@ void add_camera_options(CLI::App& command, ViewOptions& options)
                     "one turning picture, OUT.webp")
         ->type_name("COUNT")
         ->check(whole_number(1, kMaxTurntable));
-    add_background(command, options);
+    add(command, "--background", set_background, options, "gradient|black|none|RRGGBB",
+        "What lies behind the object: a dark grey gradient, a colour, or nothing, which is alpha [" + background + "]");
     command
         .add_option("--pose", options.pose,
                     "Where the eye is, by a text file in place of --orbit: a rigid 4x4 matrix row by row, from the "

@@ -14,10 +14,10 @@ namespace lumi::tools
 {
 
 // Adds --size, --orbit, --pose, --fov, --turntable, --background and --over; parsed values go to `options`,
-// which must outlive the parse.
-void add_camera_options(CLI::App& command, ViewOptions& options);
+// which must outlive the parse. `background` is the word that --background has where nobody gives it.
+void add_camera_options(CLI::App& command, ViewOptions& options, const std::string& background);
 
-// Adds --orbit and --background alone.
+// Adds --orbit and --background alone, of a page.
 void add_start_options(CLI::App& command, ViewOptions& options);
 
 // Adds -o, which takes names that `wrong_name` has nothing to say about.

@@ -54,6 +54,25 @@ void require_comparable(const CompareOptions& options, const Picture& a, const P
                       "give pictures of at least 11x11 pixels");
 }
 
+bool has_black_corners(const Picture& picture)
+{
+    const int right = picture.width_px - 1, bottom = picture.height_px - 1;
+    const uint8_t* const corners[] = {picture.pixel(0, 0), picture.pixel(right, 0), picture.pixel(0, bottom),
+                                      picture.pixel(right, bottom)};
+    return std::all_of(std::begin(corners), std::end(corners),
+                       [](const uint8_t* c) { return c[0] == 0 && c[1] == 0 && c[2] == 0; });
+}
+
+// The gradient of one picture beside the black of another would count as a difference of their objects.
+void warn_of_backgrounds(const CompareOptions& options, const Picture& a, const Picture& b)
+{
+    if (has_black_corners(a) == has_black_corners(b)) return;
+    std::fprintf(stderr,
+                 "lumi: warning: only %s has black corners; if the backgrounds differ, draw both with --background "
+                 "black\n",
+                 (has_black_corners(a) ? options.a : options.b).c_str());
+}
+
 // Null where the pictures are identical: JSON has no infinity.
 nlohmann::ordered_json json_db(double psnr_db)
 {
@@ -109,6 +128,7 @@ void run(const CompareOptions& options)
     announce_outputs({options.error_picture});
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
+    if (options.mask.empty()) warn_of_backgrounds(options, a, b);
     const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));

@@ -171,7 +171,7 @@ void add_reference(CLI::App& lumi)
     add_scene_options(*command, options->scene);
     add_thread_option(*command, options->scene);
     add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
-    add_camera_options(*command, options->views);
+    add_camera_options(*command, options->views, "black");
     CLI::Option* view = command
                             ->add_option("--view", options->view,
                                          "Look through the camera of this name in a glTF file, in place of --orbit")

@@ -84,7 +84,7 @@ void run(const RenderOptions& options, const Stages& stages)
     file.require_intact();
     Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
     for (const auto& stage : stages) drawer = stage->changed(options, file, drawer);
-    for (const std::string& path : write_views(options.views, options.output, drawer))
+    for (const std::string& path : write_views(options.views, options.output, drawer, options.drawing.display))
         std::printf("%s\n", path.c_str());
 }
 
@@ -134,19 +134,22 @@ void add_render(CLI::App& lumi)
         lumi.add_subcommand("render", "Draw views of a field, pixel for pixel as a microcontroller does");
     command->add_option("FIELD", options->field, "A field file")->required();
     add_picture_output(*command, options->output, "OUT.png|OUT.webp", wrong_views_name);
-    add_camera_options(*command, options->views);
+    add_camera_options(*command, options->views, "gradient");
     add_drawing_options(*command, *options);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());
         stages.back()->add_options(*command);
     }
-    command->footer("Example:\n  lumi render product.lumi -o product.png --turntable 24 --background 202428");
+    command->footer("Example:\n  lumi render product.lumi -o product.png --turntable 24 --background none");
     command->callback([options, stages, command] {
         if (command->count("--neighbours") > 0 && options->mode != "paper")
             throw UsageError("--neighbours belongs to --mode paper");
         if (command->count("--over") > 0 && options->drawing.display != DisplayFormat::rgb888)
             throw UsageError("--over draws with --pixel rgb888 only: a photograph has more colours than the display");
+        if (options->views.background.kind == Background::Kind::none &&
+            options->drawing.display != DisplayFormat::rgb888)
+            throw UsageError("--background none draws with --pixel rgb888 only: a display shows no alpha");
         run(*options, stages);
     });
 }

@@ -89,8 +89,12 @@ int first_mode_of(const Json& modes)
     return 0;
 }
 
-std::string colour_text(const Rgb8& c)
+// "gradient", or a colour as browsers write it.
+std::string background_text(const PageOptions& options)
 {
+    const Background background = options.views.background;
+    if (background.kind == Background::Kind::gradient) return "gradient";
+    const Rgb8 c = background.colour;
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", c.r, c.g, c.b);
     return text;
@@ -115,7 +119,7 @@ Json data_of(const PageOptions& options, const FieldFile& file)
     Json data = {{"title", title_of(options)},
                  {"layout", file.is_surface() ? "surface" : "chord"},
                  {"firstMode", first_mode_of(modes)},
-                 {"background", colour_text(options.views.background)},
+                 {"background", background_text(options)},
                  {"home",
                   {{"azimuth", host::turns32_from_degrees(home.azimuth_deg)},
                    {"elevation", host::signed_turns32_from_degrees(home.elevation_deg)},
@@ -192,6 +196,8 @@ void require_in_reach(const host::Orbit& orbit)
 void run(const PageOptions& options)
 {
     require_in_reach(options.views.orbit);
+    if (options.views.background.kind == Background::Kind::none)
+        throw UsageError("--background of a page takes gradient, black or a colour: a display shows no alpha");
     announce_outputs({options.output});
     const FieldFile file(options.field);
     file.require_intact();
@@ -226,7 +232,11 @@ void add_view(CLI::App& lumi)
                      "--turntable 36, with the same --orbit and --background")
         ->type_name("DIR");
     command->footer("Example:\n  lumi view product.lumi -o product.html");
-    command->callback([options] { run(*options); });
+    command->callback([options, command] {
+        if (command->count("--background") == 0 && options->reference.empty())
+            options->views.background.kind = Background::Kind::gradient;
+        run(*options);
+    });
 }
 
 }  // namespace lumi::tools

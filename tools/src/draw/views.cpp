@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "draw/display.h"
 #include "files/output_file.h"
 #include "image/animation.h"
 #include "image/picture.h"
 #include "image/picture_file.h"
+#include "lumi/host/backdrop.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -18,6 +20,8 @@ namespace lumi::tools
 
 namespace
 {
+
+constexpr Rgb8 kBlack = {0, 0, 0}, kWhite = {kOpaque, kOpaque, kOpaque};
 
 struct View {
     std::string path;
@@ -87,11 +91,38 @@ std::vector<std::string> paths_of(const std::vector<View>& views, const std::str
     return paths;
 }
 
-Picture shown(const View& view, const Drawer& draw, const Rgb8& background, const std::optional<Picture>& photo)
+template <class Pixel>
+Picture over_gradient(const Picture& over_corner, const Picture& over_middle)
 {
-    if (!photo) return draw(view.eye, background);
-    constexpr Rgb8 kBlack = {0, 0, 0}, kWhite = {255, 255, 255};
-    return over_photo(draw(view.eye, kBlack), draw(view.eye, kWhite), *photo);
+    Picture result = over_corner;
+    const int width = result.width_px, height = result.height_px;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto colour = [&](const Picture& picture) {
+                const uint8_t* const rgb = picture.pixel(x, y);
+                return Rgb8{rgb[0], rgb[1], rgb[2]};
+            };
+            const Rgb8 shown = host::over_backdrop<Pixel>(colour(over_corner), colour(over_middle),
+                                                          host::backdrop_share(x, y, width, height), x, y);
+            uint8_t* const to = result.pixel(x, y);
+            to[0] = shown.r;
+            to[1] = shown.g;
+            to[2] = shown.b;
+        }
+    return result;
+}
+
+Picture shown(const Eye& eye, const Drawer& draw, const Background& background, DisplayFormat display)
+{
+    if (background.kind == Background::Kind::none) return over_nothing(draw(eye, kBlack), draw(eye, kWhite));
+    if (background.kind == Background::Kind::colour) return draw(eye, background.colour);
+    const Picture over_corner = draw(eye, host::kBackdropCorner), over_middle = draw(eye, host::kBackdropMiddle);
+    return with_pixel(display, [&](auto pixel) { return over_gradient<decltype(pixel)>(over_corner, over_middle); });
+}
+
+Rgb8 gap_colour(const Background& background)
+{
+    return background.kind == Background::Kind::gradient ? host::kBackdropCorner : background.colour;
 }
 
 // The photograph, whose size the views take.
@@ -127,7 +158,8 @@ std::string png_bytes_for(const std::string& path, const Picture& picture)
 
 constexpr int kTurnMs = 4000;  // a turning picture takes so long
 
-std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw)
+std::vector<std::string> write_turning(const ViewOptions& options, const std::string& output, const Drawer& draw,
+                                       DisplayFormat display)
 {
     if (options.turntable == 0)
         throw UsageError("a " + std::filesystem::path(output).extension().string() +
@@ -136,25 +168,28 @@ std::vector<std::string> write_turning(const ViewOptions& options, const std::st
     announce_outputs({output});
     const int frame_ms = std::max(1, kTurnMs / static_cast<int>(views.size()));
     Animation animation(options.width_px, options.height_px, frame_ms);
-    for (const View& view : views) animation.add(draw(view.eye, options.background));
+    for (const View& view : views) animation.add(shown(view.eye, draw, options.background, display));
     write_output(output, animation.bytes());
     return files_among({output});
 }
 
 }  // namespace
 
-std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw)
+std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw,
+                                     DisplayFormat display)
 {
-    if (is_animation_name(output)) return write_turning(options, output, draw);
+    if (is_animation_name(output)) return write_turning(options, output, draw, display);
     const std::optional<Picture> photo = photo_of(options);
     const std::vector<View> views = all_views(options, output);
     const std::string sheet_path = tagged(output, "sheet");
     announce_outputs(paths_of(views, options.turntable > 0 ? sheet_path : ""));
-    ContactSheet sheet(static_cast<int>(views.size()), options.width_px, options.height_px, options.background);
+    ContactSheet sheet(static_cast<int>(views.size()), options.width_px, options.height_px,
+                       gap_colour(options.background), options.background.kind != Background::Kind::none);
     OutputSet pictures;
     std::vector<std::string> written;
     for (const View& view : views) {
-        const Picture picture = shown(view, draw, options.background, photo);
+        const Picture picture = photo ? over_photo(draw(view.eye, kBlack), draw(view.eye, kWhite), *photo)
+                                      : shown(view.eye, draw, options.background, display);
         pictures.add(view.path, png_bytes_for(view.path, picture));
         written.push_back(view.path);
         sheet.add(picture);
@@ -184,12 +219,26 @@ std::vector<std::string> write_each_view(const ViewOptions& options, const std::
 
 Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo)
 {
-    constexpr int kOpaque = 255;
     Picture result = over_black;
     for (size_t i = 0; i < result.rgb.size(); ++i) {
         const int seen_through = std::max(0, over_white.rgb[i] - over_black.rgb[i]);
         const int value = over_black.rgb[i] + (seen_through * photo.rgb[i] + kOpaque / 2) / kOpaque;
         result.rgb[i] = static_cast<uint8_t>(std::min(value, kOpaque));
+    }
+    return result;
+}
+
+Picture over_nothing(const Picture& over_black, const Picture& over_white)
+{
+    Picture result = over_black;
+    for (size_t i = 0; i < result.rgb.size(); i += 3) {
+        uint8_t* const rgb = &result.rgb[i];
+        const uint8_t* const white = &over_white.rgb[i];
+        const int seen_through = (white[0] - rgb[0] + white[1] - rgb[1] + white[2] - rgb[2] + 1) / 3;
+        // A highlight adds more light than what it lies on hides.
+        const int alpha = std::clamp<int>(kOpaque - seen_through, std::max({rgb[0], rgb[1], rgb[2]}), kOpaque);
+        for (int k = 0; k < 3 && alpha != 0; ++k) rgb[k] = static_cast<uint8_t>((rgb[k] * kOpaque + alpha / 2) / alpha);
+        result.alpha.push_back(static_cast<uint8_t>(alpha));
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "draw/draw.h"
 #include "draw/pose_file.h"
 #include "image/picture.h"
 #include "lumi/host/camera.h"
@@ -15,13 +16,20 @@ namespace lumi::tools
 
 inline constexpr int kMaxTurntable = 1000;
 
+// What lies behind an object: a colour, the dark grey gradient of lumi/host/backdrop.h, or nothing, which is alpha.
+struct Background {
+    enum class Kind : uint8_t { colour, gradient, none };
+    Kind kind = Kind::colour;
+    Rgb8 colour = {0, 0, 0};
+};
+
 // `lumi render` and `lumi reference` share these options, so that their views coincide.
 struct ViewOptions {
     int width_px = 240, height_px = 240;
     host::Orbit orbit = {30, 20, 3};
     double fov_deg = 0;  // over the longer side; 0 = the sphere fills the frame
     int turntable = 0;   // views around the vertical axis; 0 = one view
-    Rgb8 background = {0, 0, 0};
+    Background background;
     std::string pose;               // a file with a 4×4 matrix, in place of the orbit; may be empty
     std::optional<Matrix4> matrix;  // given in place of the file, which then only names it in messages
     std::string photo;              // a PNG to draw over, which decides the size; may be empty
@@ -40,9 +48,11 @@ using Drawer = std::function<Picture(const Eye&, const Rgb8& background)>;
 // Draws and writes all views; returns the written files in order, without devices and pipes. One view goes to `output`;
 // a turntable OUT.png writes OUT-000.png, OUT-001.png, … from orbit.azimuth_deg on, counted eastwards, then
 // OUT-sheet.png with all of them. A turntable OUT.webp writes the same views as one picture that turns
-// once in four seconds. All files take their places together, after the last view. Throws UsageError for a
-// camera that core refuses, before anything is drawn; Failure where a file cannot be read or written.
-std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw);
+// once in four seconds. Over the gradient, `display` shows it. All files take their places together, after the last
+// view. Throws UsageError for a camera that core refuses, before anything is drawn; Failure where a file cannot be read
+// or written.
+std::vector<std::string> write_views(ViewOptions options, const std::string& output, const Drawer& draw,
+                                     DisplayFormat display = DisplayFormat::rgb888);
 
 // Does the same with no background and no contact sheet: bytes_of(eye) draws a view and makes its file.
 std::vector<std::string> write_each_view(const ViewOptions& options, const std::string& output,
@@ -52,5 +62,9 @@ std::vector<std::string> write_each_view(const ViewOptions& options, const std::
 // channel's coverage; the photograph shows through the rest. It is right to one level of 255. Precondition: all have
 // one size.
 Picture over_photo(const Picture& over_black, const Picture& over_white, const Picture& photo);
+
+// Likewise finds alpha: laid over black it gives `over_black`, over other colours what is drawn over these, right to a
+// level. Glass that tints what is behind it has one alpha for three channels, and keeps its highlights.
+Picture over_nothing(const Picture& over_black, const Picture& over_white);
 
 }  // namespace lumi::tools

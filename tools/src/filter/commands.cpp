@@ -275,8 +275,12 @@ public:
         if (!weights.gains) return drawer;
         const std::shared_ptr<filter::Network> network =
             filter::load_module().network(weights.input_planes, weights.numbers);
-        return [&file, network](const Eye& eye, const Rgb8& background) {
-            return filter::over(network->filtered(filter::drawn_planes(file, eye)), background);
+        const Eye* filtered = nullptr;  // `planes` show it: over another colour it need not be drawn again
+        filter::Planes planes;
+        return [&file, network, filtered, planes](const Eye& eye, const Rgb8& background) mutable {
+            if (filtered != &eye) planes = network->filtered(filter::drawn_planes(file, eye));
+            filtered = &eye;
+            return filter::over(planes, background);
         };
     }
 

@@ -36,12 +36,13 @@ struct Frame {
 
     explicit Frame(const Picture& source)
     {
-        constexpr int kChannels = 3;
         WebPPictureInit(&picture);
         picture.use_argb = 1;
         picture.width = source.width_px;
         picture.height = source.height_px;
-        require(WebPPictureImportRGB(&picture, source.rgb.data(), kChannels * source.width_px) != 0);
+        require((source.alpha.empty()
+                     ? WebPPictureImportRGB(&picture, source.rgb.data(), 3 * source.width_px)
+                     : WebPPictureImportRGBA(&picture, rgba_of(source).data(), 4 * source.width_px)) != 0);
     }
     ~Frame() { WebPPictureFree(&picture); }
     Frame(const Frame&) = delete;

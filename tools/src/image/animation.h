@@ -17,8 +17,8 @@ bool is_animation_name(const std::string& path);
 // device or a pipe.
 std::string wrong_views_name(const std::string& path);
 
-// Frames of one size, repeated without end. They are compressed with loss (quality 80 of 100), one after the other:
-// memory for a few frames.
+// Frames of one size, repeated without end. Their colours are compressed with loss (quality 80 of 100), their alpha
+// without, one after the other: memory for a few frames.
 class Animation
 {
 public:

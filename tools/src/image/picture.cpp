@@ -30,6 +30,21 @@ void paste(const Picture& source, int x, int y, Picture& target)
     check_precondition(fits, "a picture does not fit into another one");
     for (int row = 0; row < source.height_px; ++row)
         std::copy_n(source.pixel(0, row), 3 * source.width_px, target.pixel(x, y + row));
+    if (source.alpha.empty()) return;
+    for (int row = 0; row < source.height_px; ++row)
+        std::copy_n(source.alpha.begin() + row * source.width_px, source.width_px,
+                    target.alpha.begin() + (y + row) * target.width_px + x);
+}
+
+std::vector<uint8_t> rgba_of(const Picture& picture)
+{
+    std::vector<uint8_t> rgba;
+    rgba.reserve(4 * picture.alpha.size());
+    for (size_t i = 0; i < picture.alpha.size(); ++i) {
+        rgba.insert(rgba.end(), &picture.rgb[3 * i], &picture.rgb[3 * i] + 3);
+        rgba.push_back(picture.alpha[i]);
+    }
+    return rgba;
 }
 
 Plane<double> luma_plane(const Picture& picture)
@@ -64,13 +79,20 @@ int factor_for(int columns, int width_px, int height_px)
     return factor;
 }
 
-uint8_t block_mean(const Picture& picture, int x, int y, int channel, int factor)
+// The mean of a block, pixel (x, y) of the smaller picture.
+void put_mean(const Picture& picture, int factor, int x, int y, Picture& small)
 {
-    int sum = 0;
-    for (int dy = 0; dy < factor; ++dy)
-        for (int dx = 0; dx < factor; ++dx) sum += picture.pixel(x + dx, y + dy)[channel];
-    const int area = factor * factor;
-    return static_cast<uint8_t>((sum + area / 2) / area);
+    int64_t sums[3] = {}, weight = 0;
+    for (int row = y * factor; row < (y + 1) * factor; ++row)
+        for (int column = x * factor; column < (x + 1) * factor; ++column) {
+            const int alpha = picture.alpha.empty() ? 1 : picture.alpha_at(column, row);
+            for (int k = 0; k < 3; ++k) sums[k] += alpha * picture.pixel(column, row)[k];
+            weight += alpha;
+        }
+    const auto mean = [](int64_t sum, int64_t count) { return static_cast<uint8_t>((sum + count / 2) / count); };
+    if (weight != 0)
+        for (int k = 0; k < 3; ++k) small.pixel(x, y)[k] = mean(sums[k], weight);
+    if (!small.alpha.empty()) small.alpha_at(x, y) = mean(weight, int64_t{factor} * factor);
 }
 
 }  // namespace
@@ -80,18 +102,18 @@ Picture shrunk(const Picture& picture, int factor)
     check_precondition(factor >= 1 && factor <= picture.width_px && factor <= picture.height_px,
                        "a picture cannot become smaller than a pixel");
     Picture small(picture.width_px / factor, picture.height_px / factor);
+    if (!picture.alpha.empty()) small.alpha.resize(small.rgb.size() / 3);
     for (int y = 0; y < small.height_px; ++y)
-        for (int x = 0; x < small.width_px; ++x)
-            for (int channel = 0; channel < 3; ++channel)
-                small.pixel(x, y)[channel] = block_mean(picture, x * factor, y * factor, channel, factor);
+        for (int x = 0; x < small.width_px; ++x) put_mean(picture, factor, x, y, small);
     return small;
 }
 
-ContactSheet::ContactSheet(int count, int width_px, int height_px, const Rgb8& background)
+ContactSheet::ContactSheet(int count, int width_px, int height_px, const Rgb8& background, bool is_opaque)
     : columns_(columns_for(count, width_px, height_px)), factor_(factor_for(columns_, width_px, height_px))
 {
     const int rows = (count + columns_ - 1) / columns_;
     sheet_ = Picture(sheet_side(columns_, width_px / factor_), sheet_side(rows, height_px / factor_), background);
+    if (!is_opaque) sheet_.alpha.resize(sheet_.rgb.size() / 3);
 }
 
 void ContactSheet::add(const Picture& picture)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tools handle pictures so: 8 bits a channel, sRGB-encoded, three bytes a pixel, no padding, top row first.
+// The tools handle pictures so: 8 bits a channel, sRGB-encoded, no padding, top row first.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,26 @@
 namespace lumi::tools
 {
 
+inline constexpr int kOpaque = 255;
+
 struct Picture {
     int width_px = 0, height_px = 0;
-    std::vector<uint8_t> rgb;  // 3 · width · height bytes
+    std::vector<uint8_t> rgb;    // 3 · width · height bytes; not multiplied by alpha
+    std::vector<uint8_t> alpha;  // width · height bytes, or none where every pixel is opaque
 
     Picture() = default;
     Picture(int width, int height, const Rgb8& colour = {0, 0, 0});
 
-    uint8_t* pixel(int x, int y) { return rgb.data() + offset(x, y); }
-    const uint8_t* pixel(int x, int y) const { return rgb.data() + offset(x, y); }
+    uint8_t* pixel(int x, int y) { return rgb.data() + 3 * index(x, y); }
+    const uint8_t* pixel(int x, int y) const { return rgb.data() + 3 * index(x, y); }
+    // Precondition: there is alpha.
+    uint8_t& alpha_at(int x, int y) { return alpha[index(x, y)]; }
+    const uint8_t& alpha_at(int x, int y) const { return alpha[index(x, y)]; }
 
 private:
-    size_t offset(int x, int y) const
+    size_t index(int x, int y) const
     {
-        return 3 * (static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x));
+        return static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x);
     }
 };
 
@@ -40,12 +46,15 @@ inline bool same_size(const Picture& a, const Picture& b)
 // Computes c + (255 - a)·b/255, rounded, of one channel, in encoded values.
 constexpr uint8_t over(uint8_t premultiplied, uint8_t coverage, uint8_t background)
 {
-    constexpr int kOpaque = 255;
     const int value = premultiplied + ((kOpaque - coverage) * background + kOpaque / 2) / kOpaque;
     return static_cast<uint8_t>(value > kOpaque ? kOpaque : value);
 }
 
-// Copies `source` into `target` with its top left corner at (x, y). Precondition: it fits.
+// Four bytes a pixel, of a picture that has alpha.
+std::vector<uint8_t> rgba_of(const Picture& picture);
+
+// Copies `source` into `target` with its top left corner at (x, y). Preconditions: it fits; both have alpha, or
+// neither.
 void paste(const Picture& source, int x, int y, Picture& target);
 
 // Single-channel images of any value type, on which the structural metrics work.
@@ -96,21 +105,21 @@ Plane<Value> filter_valid(const Plane<Value>& plane, const std::vector<double>& 
     return result;
 }
 
-// `factor` × `factor` pixels become one, by their rounded mean; what is left over at the right and bottom is dropped.
-// Precondition: 1 <= factor <= both sides.
+// `factor` × `factor` pixels become one, by their rounded mean, in which a colour counts by its alpha; what is left
+// over at the right and bottom is dropped. Precondition: 1 <= factor <= both sides.
 Picture shrunk(const Picture& picture, int factor);
 
 inline constexpr int kSheetGap = 4;
 inline constexpr int kSheetMaxWidth = 2400;
 
-// A grid of `count` equal pictures, row by row, about as wide as high, kSheetGap apart on the background; every picture
-// is shrunk by a whole factor while the sheet would be wider than kSheetMaxWidth. Holds the sheet alone, not the
-// pictures.
+// A grid of `count` equal pictures, row by row, about as wide as high, kSheetGap apart on the background, which is
+// nothing where `is_opaque` is false: then all pictures have alpha, else none. Every picture is shrunk by a whole
+// factor while the sheet would be wider than kSheetMaxWidth. Holds the sheet alone, not the pictures.
 class ContactSheet
 {
 public:
     // Precondition: count, width and height are at least 1.
-    ContactSheet(int count, int width_px, int height_px, const Rgb8& background);
+    ContactSheet(int count, int width_px, int height_px, const Rgb8& background, bool is_opaque = true);
 
     // Puts the next picture in place. Precondition: of the announced size, at most `count` of them.
     void add(const Picture& picture);

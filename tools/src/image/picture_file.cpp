@@ -39,6 +39,8 @@ Picture read_png(const std::string& path)
         baker::DecodedPicture decoded = baker::read_png(path);
         Picture picture(decoded.width, decoded.height);
         picture.rgb = std::move(decoded.rgb);
+        for (size_t i = 0; i < 3 * decoded.alpha.size(); ++i)
+            picture.rgb[i] = static_cast<uint8_t>((picture.rgb[i] * decoded.alpha[i / 3] + kOpaque / 2) / kOpaque);
         return picture;
     } catch (const baker::PictureError& error) {
         throw Failure(path, std::string("is not read (") + error.what() + ")", "give a whole PNG file");
@@ -47,7 +49,8 @@ Picture read_png(const std::string& path)
 
 std::string png_bytes(const Picture& picture)
 {
-    return host::png_bytes({picture.width_px, picture.height_px, picture.rgb.data()});
+    if (picture.alpha.empty()) return host::png_bytes({picture.width_px, picture.height_px, picture.rgb.data()});
+    return host::png_bytes({picture.width_px, picture.height_px, rgba_of(picture).data(), 4});
 }
 
 void write_png(const std::string& path, const Picture& picture)

@@ -19,15 +19,15 @@ using host::PictureView;
 
 inline constexpr uintmax_t kMaxPictureFileBytes = uintmax_t{1} << 30;
 
-// A PNG file; alpha is ignored. Notes the file as an input (file_guard.h). Throws PictureError.
+// A PNG file, with its alpha. Notes the file as an input (file_guard.h). Throws PictureError.
 DecodedPicture read_png(const std::filesystem::path& file);
 
 // The bytes of a JPEG file, grey or colour, sequential or progressive; not CMYK. What is damaged or cut short is
 // refused. Throws PictureError.
 DecodedPicture decode_jpeg(const std::string& bytes);
 
-// The bytes of a JPEG file: baseline, as decoders of firmware read it, with chroma of half the resolution; quality 1 to
-// 100. Throws std::length_error for a picture that no such file can hold.
+// The bytes of a JPEG file of three channels: baseline, as decoders of firmware read it, with chroma of half the
+// resolution; quality 1 to 100. Throws std::length_error for a picture that no such file can hold.
 std::string jpeg_bytes(const PictureView& picture, int quality);
 
 // Borrowed pixels of linear light: red, green and blue (Rec. 709 primaries), multiplied by the coverage that follows.

@@ -26,11 +26,13 @@ const SCREENS = [
   {name: '480 × 320', width: 480, height: 320},
   {name: '800 × 480', width: 800, height: 480},
 ];
+const GRADIENT = 2 ** 24;  // in place of a colour behind the object
 const RATED_PIXELS = 240 * 240;
 const STILL = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 const state = {
   mode: data.firstMode, format: 0, screen: 0, chip: 1, paced: false, comparing: false, spinning: !STILL,
+  gradient: data.background === 'gradient',
 };
 let module, pixels;  // the module's exports; where it draws
 
@@ -90,7 +92,7 @@ let cost = 0;  // milliseconds a frame, the mean of the last ones
 function drawFrame() {
   const begin = performance.now();
   const error = module.draw_frame(data.modes[state.mode].number, FORMATS[state.format].number,
-    parseInt($('background').value.slice(1), 16));
+    state.gradient ? GRADIENT : parseInt($('background').value.slice(1), 16));
   if (error) throw new Error(textAt(module.describe(error)));
   const took = performance.now() - begin;
   cost = cost ? 0.9 * cost + 0.1 * took : took;
@@ -260,8 +262,9 @@ function buildSettings(fieldBytes) {
   $('screen').addEventListener('change', event => set({screen: Number(event.target.value)}));
   $('pace').addEventListener('change', event => set({paced: event.target.checked}));
   $('compare').addEventListener('change', event => set({comparing: event.target.checked}));
-  $('background').value = data.background;
-  $('background').addEventListener('input', () => { isDirty = true; });
+  $('background').value = state.gradient ? '#000000' : data.background;
+  $('background').addEventListener('input', () => set({gradient: false}));
+  $('gradient').addEventListener('change', event => set({gradient: event.target.checked}));
   $('compare-row').hidden = !data.references.length;
   const kind = data.layout === 'surface' ? 'surface field' : 'chord field';
   $('facts').textContent = `A ${kind} of ${byteText(fieldBytes)}, drawn here by the same integer code as on the chip.`;
@@ -304,6 +307,7 @@ function showSettings() {
   $('pace').checked = state.paced;
   $('pace').disabled = !isRated() || !rateOf(data.chips[state.chip]);
   $('compare').checked = state.comparing;
+  $('gradient').checked = state.gradient;
   $('screen').disabled = state.comparing;
   $('truth').hidden = !state.comparing;
   $('mode-remark').textContent = data.modes[state.mode].remark;
@@ -363,6 +367,7 @@ function onLetter(key) {
   else if (key === 's' && !state.comparing) next('screen', SCREENS.length);
   else if (key === 'c') next('chip', data.chips.length);
   else if (key === 'v') set({paced: !state.paced});
+  else if (key === 'b') set({gradient: !state.gradient});
   else if (key === 't' && data.references.length) set({comparing: !state.comparing});
   else if (key === '0') showFirstView();
   else if (key === '+' || key === '=') zoom(0.85);

@@ -25,10 +25,12 @@ struct DecodedPicture {
     std::vector<uint8_t> alpha;  // a byte a pixel; empty where the picture has none or nobody asked
 };
 
-// These pixels are borrowed: 3 bytes each, top row first, without gaps. At least one.
+// These pixels are borrowed: `channels` bytes each, top row first, without gaps. At least one. A fourth channel is
+// alpha, by which the colours are not multiplied.
 struct PictureView {
     int width, height;
-    const uint8_t* rgb;
+    const uint8_t* pixels;
+    int channels = 3;
 };
 
 // Throws PictureError unless the picture has pixels, and not too many of them.
