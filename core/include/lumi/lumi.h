@@ -94,7 +94,7 @@ typedef struct lumi_view lumi_view;
  */
 #define LUMI_MEMORY(vertices, patches, width, height, rows)                      \
     (2048 + 12 * (size_t)(vertices) + 5 * (size_t)(patches) + (size_t)(height) + \
-     (6 * ((size_t)(width) + 3) + ((size_t)(width) + 33) / 32 * 4) * ((size_t)(rows) + 2))
+     (6 * ((size_t)(width) + 3) + ((size_t)(width) + 33) / 32 * 12) * ((size_t)(rows) + 2))
 #define LUMI_MEMORY_TWO_BY_TWO(vertices, patches, width, height, rows) \
     (LUMI_MEMORY(vertices, patches, width, height, rows) + 18 * (size_t)(width) * (size_t)(rows))
 /* To be added to either for a field with see-through patches, which are not among its patches. */

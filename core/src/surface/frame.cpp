@@ -67,11 +67,11 @@ void put_triangles(SurfaceFrame& frame)
     frame.reach = lister.reach();
 }
 
-// Whether a patch's nth side is an outline: nothing that faces the eye lies across.
+// Whether a patch's nth side may be an outline: nothing that faces the eye and has samples lies across.
 LUMI_ALWAYS_INLINE uint32_t is_outline(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t n)
 {
     const uint32_t across = static_cast<uint32_t>(neighbours[2 * n] | neighbours[2 * n + 1] << 8);
-    return across == format::kNoNeighbour || frame.memory.links[across] == kTurnedAway ? 1 : 0;
+    return across == format::kNoNeighbour || frame.memory.links[across] >= kWithoutSamples ? 1 : 0;
 }
 
 // Bits of the sides of a patch's first triangle that are outlines, numbered as in side_of(); `other`: the second's
@@ -80,7 +80,7 @@ LUMI_ALWAYS_INLINE uint32_t first_outlines(const SurfaceFrame& frame, uint32_t p
                                            uint32_t other)
 {
     const uint32_t sides = is_outline(frame, neighbours, 0) | is_outline(frame, neighbours, 1) << 1;
-    if (other != kTurnedAway) return sides;
+    if (other < kWithoutSamples) return sides;
     const bool is_alone = surface_patch(frame.field, patch).corner[3] == format::kNoVertex;
     return sides | (is_alone ? is_outline(frame, neighbours, 2) : 1) << 2;
 }
@@ -89,7 +89,7 @@ LUMI_ALWAYS_INLINE uint32_t first_outlines(const SurfaceFrame& frame, uint32_t p
 LUMI_ALWAYS_INLINE uint32_t second_outlines(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t other)
 {
     return is_outline(frame, neighbours, 2) | is_outline(frame, neighbours, 3) << 1 |
-           (other == kTurnedAway ? 1u : 0u) << 2;
+           (other >= kWithoutSamples ? 1u : 0u) << 2;
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ struct Crossing {
     int32_t first, end;        // lines
     int32_t at_q16, step_q16;  // along the line; the first sample's centre is at 0
     int32_t depth_q8, depth_step_q8;
+    int32_t half_q8;               // half of what the edge moves along a line from one to the next
+    uint32_t quarter_by_half_q16;  // 1/(4 half)
 };
 
 // An edge's ends by their places along and across the lines; `low` has the lower line.
@@ -35,6 +37,11 @@ LUMI_ALWAYS_INLINE void set_steps(Crossing& c, const Ends& e)
     };
     c.at_q16 = placed(wrapped_product(e.low_place_q6, 1024), c.step_q16);
     c.depth_q8 = placed(e.low_depth * 256, c.depth_step_q8);
+    // The corner that it cuts off where it is steeper than 1/16 is below 1/128 pixel.
+    constexpr int32_t kLeastHalf = 8;
+    c.half_q8 = magnitude(c.step_q16) >> 9;
+    const Reciprocal h = reciprocal(static_cast<uint32_t>(c.half_q8 > kLeastHalf ? c.half_q8 : kLeastHalf));
+    c.quarter_by_half_q16 = h.mantissa >> (33 - h.leading);
 }
 
 struct SampleLines {
@@ -42,17 +49,43 @@ struct SampleLines {
     int32_t pitch, stride;  // from line to line, from sample to sample, bytes
 };
 
-// Marks a pixel. The largest share of several marks stays, so the order of edges does not matter.
-LUMI_ALWAYS_INLINE void mark_pixel(uint16_t& depth, uint32_t& bits, uint32_t bit, uint32_t mark)
+constexpr uint32_t kMarkMask = (1u << kMarkBits) - 1;
+
+LUMI_ALWAYS_INLINE uint16_t& depth_at(uint8_t* p)
 {
-    constexpr uint32_t kMask = (1u << kMarkBits) - 1;
-    if ((bits & bit) != 0 && (depth & kMask) >= mark) return;
-    bits |= bit;
-    depth = static_cast<uint16_t>((depth & ~kMask) | mark);
+    return *reinterpret_cast<uint16_t*>(p);
 }
 
-// Marks the outlines where an edge crosses lines between the centres of two samples. The one that the edge cuts shows a
-// share of the other.
+uint32_t marks_plane(const Target& target)
+{
+    return target.marks_words() * static_cast<uint32_t>(target.height);
+}
+
+// Whether a marked sample's surface lies in front of that of the other one.
+LUMI_ALWAYS_INLINE bool is_in_front(uint8_t* depth, uint32_t mark, int32_t row_bytes)
+{
+    const int32_t step = (mark & 2) != 0 ? row_bytes : static_cast<int32_t>(sizeof(uint16_t));
+    return (depth_at(depth) >> kMarkBits) > (depth_at(depth + ((mark & 1) != 0 ? -step : step)) >> kMarkBits);
+}
+
+// Marks a pixel, unless the mark that it has goes before. The depths of samples alone tell which one is in front.
+LUMI_ALWAYS_INLINE void mark_pixel(uint8_t* at, uint32_t& bits, uint32_t bit, uint32_t mark, bool is_front,
+                                   int32_t row_bytes)
+{
+    uint16_t& depth = depth_at(at);
+    if ((bits & bit) != 0) {
+        const uint32_t old = depth & kMarkMask;
+        const bool was_front = is_in_front(at, old, row_bytes);
+        if (was_front != is_front ? was_front : old >= mark) return;
+    }
+    bits |= bit;
+    depth = static_cast<uint16_t>((depth & ~kMarkMask) | mark);
+}
+
+// Marks the outlines where an edge crosses lines between the centres of two samples. Each of the two shows as much of
+// the other as lies beyond the edge. Let the edge cross the line at a distance d from the border between the two, and
+// move by 2h from one line to the next. The pixel that it crosses loses d, a trapezium. Where h > d the edge crosses
+// the border, too, and the triangle there has the area (h - d)²/4h: both pixels lose so much.
 template <bool kIsSeeThrough>
 LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, const SampleLines& lines,
                                       const Target& target)
@@ -63,9 +96,15 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
     const int32_t to_inner = inside_is_upper ? lines.stride : 0, to_outer = lines.stride - to_inner;
     constexpr uint32_t kFarLevel = kFarDepth >> kMarkBits;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1, words = target.marks_words();
+    const int32_t row_bytes = static_cast<int32_t>(target.row_bytes);
+    uint32_t* const beyond = target.marks + (is_row ? 1 : 2) * marks_plane(target);
+    struct MarkPlace {
+        uint32_t word, bit;
+    };
+    const auto place_of = [&](uint32_t x, uint32_t y) { return MarkPlace{y * words + x / 32, 1u << (x & 31)}; };
     uint8_t* line_at = target.first + c.first * lines.pitch;
-    int32_t at_q16 = wrapped_sum(c.at_q16, -0x8000), depth_q8 = c.depth_q8;
-    const auto depth_at = [](uint8_t* p) -> uint16_t& { return *reinterpret_cast<uint16_t*>(p); };
+    // A sample right at the edge counts as on its upper side, as where triangles are filled.
+    int32_t at_q16 = wrapped_sum(c.at_q16, -0x8001), depth_q8 = c.depth_q8;
     for (int32_t line = c.first; line < c.end; ++line) {
         const uint32_t lower = static_cast<uint32_t>(at_q16 >> 16), past_q8 = static_cast<uint32_t>(at_q16 >> 8) & 255;
         if (lower < pairs) {
@@ -77,12 +116,29 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
             // where they alone show, no opaque edge has its inside.
             if (outer <= edge && (kIsSeeThrough ? inner <= edge : outer < inner && inner >= kFarLevel)) {
                 const bool cuts_lower = past_q8 < 128;
-                const uint32_t share = ((cuts_lower ? 128 - past_q8 : past_q8 - 128) + 4) >> 3;
-                if (share != 0) {
-                    const uint32_t cut = lower + (cuts_lower ? 0 : 1), other = static_cast<uint32_t>(line);
-                    const uint32_t x = is_row ? cut : other, y = is_row ? other : cut;
-                    mark_pixel(depth_at(at + (cuts_lower ? 0 : lines.stride)), target.marks[y * words + x / 32],
-                               1u << (x & 31), mark_bits(share, cuts_lower ? to_upper : to_lower));
+                const int32_t cut_q8 = static_cast<int32_t>(cuts_lower ? 128 - past_q8 : past_q8 - 128);
+                const int32_t left_q8 = c.half_q8 - cut_q8;
+                const uint32_t corner_q8 =
+                    left_q8 > 0 ? static_cast<uint32_t>(left_q8 * left_q8) * c.quarter_by_half_q16 >> 16 : 0;
+                const uint32_t near_q5 = (static_cast<uint32_t>(cut_q8) + corner_q8 + 4) >> 3,
+                               far_q5 = (corner_q8 + 4) >> 3;
+                const uint32_t across = static_cast<uint32_t>(line);
+                const auto place = [&](uint32_t along) {
+                    return is_row ? place_of(along, across) : place_of(across, along);
+                };
+                const auto mark = [&](bool is_upper, uint32_t share) {
+                    if (share == 0) return;
+                    const bool is_inner = is_upper == inside_is_upper;
+                    const bool is_front = kIsSeeThrough ? is_inner ? inner > outer : outer > inner : is_inner;
+                    const MarkPlace p = place(lower + (is_upper ? 1 : 0));
+                    mark_pixel(at + (is_upper ? lines.stride : 0), target.marks[p.word], p.bit,
+                               mark_bits(share, is_upper ? to_lower : to_upper), is_front, row_bytes);
+                };
+                mark(false, cuts_lower ? near_q5 : far_q5);
+                mark(true, cuts_lower ? far_q5 : near_q5);
+                if (!kIsSeeThrough && near_q5 != 0 && cuts_lower == inside_is_upper) {
+                    const MarkPlace p = place(lower);
+                    beyond[p.word] |= p.bit;
                 }
             }
         }
@@ -122,6 +178,59 @@ LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const Surface
     mark_crossing<kIsSeeThrough>(c, is_forward == is_steep, lines, target);
 }
 
+bool is_between_lines(const Seen& s)
+{
+    return line_from_packed(s.upper()) == line_from_packed(s.lower());
+}
+
+// Marks the outlines of a triangle that lies between scanlines, and of those behind it that do: they are in no list.
+// All of them lie between the same two, so whatever has samples there reaches them in every stripe that shows them.
+__attribute__((noinline)) void mark_thin(const SurfaceFrame& frame, uint32_t from, uint32_t triangle,
+                                         const Target& target)
+{
+    constexpr int kMost = 8;  // triangles; a chain of them may be a ring
+    const SurfaceVertex* const v = frame.memory.vertices;
+    for (int count = 0; count < kMost && is_between_lines(seen(frame, triangle)); ++count) {
+        const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
+        uint32_t next = format::kNoNeighbour;
+        for (uint32_t n = 0; n < 3; ++n) {
+            const uint32_t beyond = across(frame, patch, triangle, n);
+            const uint16_t link = beyond == format::kNoNeighbour ? kTurnedAway : frame.memory.links[beyond];
+            const Side side = side_of(patch, triangle, n);
+            if (link == kTurnedAway)
+                mark_edge(v[side.from], v[side.to], target);
+            else if (link == kWithoutSamples && beyond != from)
+                next = beyond;
+        }
+        if (next == format::kNoNeighbour) return;
+        from = triangle;
+        triangle = next;
+    }
+}
+
+// Does that for the pairs in rows, or in columns.
+template <bool kIsRow>
+LUMI_ALWAYS_INLINE void drop_inner_of(const Target& target)
+{
+    // A smaller share may be the corner that an edge on the other side cuts off: that is at most 1/8, at 45 degrees.
+    constexpr uint32_t kLeastInner = 5;
+    const int32_t stride = kIsRow ? static_cast<int32_t>(sizeof(uint16_t)) : static_cast<int32_t>(target.row_bytes);
+    const uint32_t words = target.marks_words(), height = static_cast<uint32_t>(target.height);
+    const uint32_t* beyond = target.marks + (kIsRow ? 1 : 2) * marks_plane(target);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t first = 0; first < 32 * words; first += 32)
+            for (uint32_t bits = *beyond++; bits != 0; bits &= bits - 1) {
+                const uint32_t x = first + static_cast<uint32_t>(__builtin_ctz(bits));
+                uint8_t* const lower = target.row(static_cast<int32_t>(y)) + x * sizeof(uint16_t);
+                const uint32_t upper_depth = depth_at(lower + stride), lower_depth = depth_at(lower);
+                const uint32_t is_upper = upper_depth > lower_depth ? 1 : 0;
+                const uint32_t mark = is_upper != 0 ? upper_depth : lower_depth;
+                if ((mark & 3) != ((kIsRow ? 0 : 2) | is_upper) || (mark & kMarkMask) >> 2 < kLeastInner) continue;
+                const uint32_t column = x + (kIsRow ? is_upper : 0), row = y + (kIsRow ? 0 : is_upper);
+                target.marks[row * words + column / 32] &= ~(1u << (column & 31));
+            }
+}
+
 void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Target& target)
 {
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
@@ -130,6 +239,11 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
     if (!reaches({&v[patch.corner[3 * odd]], &v[patch.corner[1]], &v[patch.corner[2]]}, target)) return;
     for (uint32_t m = 0; sides != 0; ++m, sides >>= 1) {
         if ((sides & 1) == 0) continue;
+        const uint32_t beyond = across(frame, patch, k, m);
+        if (beyond != format::kNoNeighbour && frame.memory.links[beyond] == kWithoutSamples) {
+            mark_thin(frame, k, beyond, target);
+            continue;
+        }
         const Side side = side_of(patch, k, m);
         if (is_there(v[side.from]) && is_there(v[side.to])) mark_edge(v[side.from], v[side.to], target);
     }
@@ -156,6 +270,12 @@ LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, con
     mark_cut_pixels<false>(from, to, target);
 }
 
+LUMI_HOT void drop_inner_edges(const Target& target)
+{
+    drop_inner_of<true>(target);
+    drop_inner_of<false>(target);
+}
+
 LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
 {
     const auto mark = [&](uint32_t triangle) {
@@ -168,6 +288,7 @@ LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
         mark(other);
         other = after(other, frame.memory.links[other]);
     }
+    drop_inner_edges(target);
 }
 
 LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target)

@@ -33,7 +33,7 @@ uint32_t* first_word(const Target& target)
 void clear_marks(const Target& target)
 {
     if (target.marks != nullptr)
-        fill_words(target.marks, target.marks_words() * static_cast<uint32_t>(target.height), 0);
+        fill_words(target.marks, kMarkPlanes * target.marks_words() * static_cast<uint32_t>(target.height), 0);
 }
 
 // A field's guard bit; the bits below it are its value.
@@ -44,15 +44,23 @@ PackedColour clamped_field(PackedColour sum, uint32_t guard, uint32_t value_bits
     return (sum & (guard >> 1)) != 0 ? others : others | value_bits;
 }
 
-// Rounds to the nearest whole number; v <= 255².
-uint32_t root_of(uint32_t v)
+// Rounds to the nearest whole number; v <= (2^kBits - 1)².
+template <uint32_t kBits>
+LUMI_ALWAYS_INLINE uint32_t root_of(uint32_t v)
 {
     uint32_t root = 0;
-    for (uint32_t bit = 128; bit != 0; bit >>= 1) {
+#pragma GCC unroll 8
+    for (uint32_t bit = 1u << (kBits - 1); bit != 0; bit >>= 1) {
         const uint32_t trial = root | bit;
         if (trial * (trial - 1) < v) root = trial;
     }
     return root;
+}
+
+template <uint32_t kBits>
+LUMI_ALWAYS_INLINE uint32_t mixed_light_of(uint32_t a, uint32_t b, uint32_t share)
+{
+    return root_of<kBits>((a * a * (32 - share) + b * b * share + 16) >> 5);
 }
 
 }  // namespace
@@ -136,7 +144,23 @@ LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour bla
         g += square(levels.g - none.g);
         b += square(levels.b - none.b);
     }
-    return packed_colour(4 * root_of(r >> 2), 4 * root_of(g >> 2), 4 * root_of(b >> 2)) + black;
+    return packed_colour(4 * root_of<8>(r >> 2), 4 * root_of<8>(g >> 2), 4 * root_of<8>(b >> 2)) + black;
+}
+
+LUMI_HOT Rgb8 mixed_light_of(const Rgb8& a, const Rgb8& b, uint32_t share)
+{
+    const auto channel = [&](uint32_t p, uint32_t q) { return static_cast<uint8_t>(mixed_light_of<8>(p, q, share)); };
+    return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+LUMI_HOT Fields565 mixed_light_of(Fields565 a, Fields565 b, uint32_t share)
+{
+    // Twice the levels of red and blue, of 6 bits as green's.
+    const auto red_or_blue = [&](uint32_t at) {
+        const uint32_t p = a.word >> at & 31, q = b.word >> at & 31;
+        return (mixed_light_of<6>(2 * p, 2 * q, share) + 1) >> 1 << at;
+    };
+    return {mixed_light_of<6>(a.word >> 21, b.word >> 21, share) << 21 | red_or_blue(11) | red_or_blue(0)};
 }
 
 LUMI_HOT PackedColour lumi_clamped(PackedColour sum)

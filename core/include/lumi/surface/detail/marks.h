@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Marks of pixels that an outline cuts: a bit for each of a Target. A marked pixel's depth has in its low bits how
-// much of it, in 1/32, shows the colour of a pixel beside it, and below that which one. Colours stay as they are, and
-// of several marks the largest, so the order of edges does not matter.
+// much of it, in 1/32, shows the colour of a pixel beside it, and below that which one. Colours stay as they are. A
+// pixel keeps one of several marks: that of a surface in front goes before that of what lies behind, and a larger one
+// before a smaller one. So the order of edges does not matter.
+//
+// Two more planes have a bit for each pair of a pixel with its right neighbour, and with the one below. It is set where
+// an edge passes through the pixel behind. Edges through the pixel in front then lie further in, under the same
+// surface, and drop_inner_edges() takes their marks.
 #pragma once
 
 #include "lumi/surface/detail/target.h"
@@ -62,8 +67,28 @@ inline Fields565 mixed(Fields565 a, Fields565 b, uint32_t share)
     return {((a.word * (32 - share) + b.word * share + kHalf) >> 5) & kFields565};
 }
 
+// Mixes the light of two surfaces that share a pixel in the same way. Light is about the square of a level.
+LUMI_HOT Rgb8 mixed_light_of(const Rgb8& a, const Rgb8& b, uint32_t share);
+LUMI_HOT Fields565 mixed_light_of(Fields565 a, Fields565 b, uint32_t share);
+
+// Where the two are within 32 levels, the mean of their levels stands for that of their light. Then each channel of
+// a + 32 - b has none of its upper bits, nor has it borrowed any.
+inline Rgb8 mixed_light(const Rgb8& a, const Rgb8& b, uint32_t share)
+{
+    const auto far = [](int32_t p, int32_t q) { return static_cast<uint32_t>(p - q + 32) > 63; };
+    return far(a.r, b.r) || far(a.g, b.g) || far(a.b, b.b) ? mixed_light_of(a, b, share) : mixed(a, b, share);
+}
+inline Fields565 mixed_light(Fields565 a, Fields565 b, uint32_t share)
+{
+    constexpr uint32_t kNear = 8u << 21 | 4u << 11 | 4u, kWithin = 15u << 21 | 7u << 11 | 7u;
+    return ((a.word + kNear - b.word) & ~kWithin) != 0 ? mixed_light_of(a, b, share) : mixed(a, b, share);
+}
+
 // Marks the pixels that an edge cuts, after all triangles are drawn. The edge lies on a triangle that is
 // counter-clockwise on the screen, in its order.
 LUMI_HOT void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
+
+// Takes the marks of edges that lie further in than another one. Comes after all edges of opaque triangles.
+LUMI_HOT void drop_inner_edges(const Target& target);
 
 }  // namespace lumi::detail

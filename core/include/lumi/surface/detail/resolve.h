@@ -58,14 +58,15 @@ Blended<typename Samples::Colour> blended(const Samples& s, const Mark& mark, in
         const uint32_t covered = mark.covered();
         if (covered == 0) return {x, s.converted({0, 0, 0}), 0};
         const uint16_t* const own = mark.has_own() ? mark.own : mark.other;
-        const auto colour = mixed(s.colour_at(own), s.colour_at(mark.has_other() ? mark.other : own), mark.share);
+        const auto colour = mixed_light(s.colour_at(own), s.colour_at(mark.has_other() ? mark.other : own), mark.share);
         return {x, colour, static_cast<uint8_t>((covered * 255 + 16) >> 5)};
     } else {
-        const auto colour_at = [&](const uint16_t* depth, bool has_surface) {
-            if (has_surface) return s.colour_at(depth);
-            return s.converted(background.template under<typename Samples::PixelType>(pixel));
-        };
-        return {x, mixed(colour_at(mark.own, mark.has_own()), colour_at(mark.other, mark.has_other()), mark.share),
+        if (mark.has_own() && mark.has_other())
+            return {x, mixed_light(s.colour_at(mark.own), s.colour_at(mark.other), mark.share), 255};
+        const auto under = s.converted(background.template under<typename Samples::PixelType>(pixel));
+        return {x,
+                mixed(mark.has_own() ? s.colour_at(mark.own) : under,
+                      mark.has_other() ? s.colour_at(mark.other) : under, mark.share),
                 255};
     }
 }

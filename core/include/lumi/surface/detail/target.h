@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A rectangle of samples in the caller's memory: row after row, a row's depths and then its colours. Colours are pixels
 // where a pixel is one sample in 5, 6 and 5 bits, so that a row of them is copied as it is; else they are PackedColour.
-// A bit for each sample marks what an outline cuts.
+// Bits for each sample mark what an outline cuts (marks.h).
 #pragma once
 
 #include "lumi/pixel.h"
@@ -14,13 +14,15 @@ namespace lumi::detail
 template <class Pixel>
 inline constexpr bool kIsSample = kPacks565<Pixel>;
 
+inline constexpr uint32_t kMarkPlanes = 3;
+
 // Samples that triangles are drawn into, and how.
 struct Target {
     uint8_t* first;       // the depth of the first sample
     uint32_t row_bytes;   // from row to row
     uint32_t colours_at;  // from a row's first depth to its first colour, bytes
     int32_t width, height;
-    uint32_t* marks;  // marks_words() a row, after the rows; null: no outlines
+    uint32_t* marks;  // kMarkPlanes of marks_words() a row, after the rows; null: no outlines
     int32_t x, y;     // where the first sample lies on the frame's grid
     const PackedColour* palette;
     bool has_two_taps;  // a texel is the sum of two, a quarter texel away on either side; the palette has halves
@@ -51,7 +53,7 @@ constexpr uint32_t sample_row_bytes(uint32_t width, uint32_t colour_bytes)
 
 constexpr uint32_t sample_bytes(uint32_t width, uint32_t height, uint32_t colour_bytes, bool has_marks)
 {
-    return height * (sample_row_bytes(width, colour_bytes) + (has_marks ? 4 * ((width + 31) / 32) : 0));
+    return height * (sample_row_bytes(width, colour_bytes) + (has_marks ? kMarkPlanes * 4 * ((width + 31) / 32) : 0));
 }
 
 }  // namespace lumi::detail
