@@ -118,7 +118,7 @@ class Model:
         told = [w.replace(f"{self.scene.parent}/", "") for w in warnings]
         return {"model": self.name, "bytes": self.field.stat().st_size if self.field.exists() else 0,
                 "psnr_db": [self.psnr(side) for side in range(len(self.sides))],
-                "layout": layout[1] if (layout := re.search(r"^ *layout (\w+)", said, re.MULTILINE)) else None, "said": told}
+                "layout": None if not self.field.exists() else "chord" if "lumi: layout chord: " in said else "surface", "said": told}
 
 
 def draw_sheet(models, path):

@@ -25,7 +25,7 @@ void bake_picture_field(const std::string& output, test::Arguments more)
     const Outcome outcome = lumi(more);
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK_THAT(outcome.out, Catch::StartsWith(output) && Catch::Contains("rays in"));
+    CHECK_THAT(outcome.out, Catch::StartsWith(output) && Catch::Contains("\nRP2040: "));
 }
 
 void draw(test::Arguments call)

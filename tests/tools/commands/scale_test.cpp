@@ -183,7 +183,7 @@ TEST_CASE("a bake says how many rays adaptive sampling saved, --adaptive 0 saves
     CHECK(json_lines(lumi(more).out).back().at("rays_saved") == 0);
     const Arguments for_people = {"bake", kScene,         "-o", folder / "g.lumi", "--origins",
                                   "60",   "--directions", "80", "--spp",           "64"};
-    CHECK_THAT(lumi(for_people).out, Catch::Contains(" k of them saved)"));
+    CHECK_THAT(lumi(for_people).out, Catch::Contains(" k light paths saved"));
     CHECK(lumi(bake(folder / "f.lumi", {"--adaptive", "-1"})).code == 2);
 }
 

@@ -29,14 +29,14 @@ std::string write_surface(const test::TemporaryFolder& folder)
 
 }  // namespace
 
-TEST_CASE("bake writes the bytes of a surface field, and says what its mesh misses")
+TEST_CASE("bake writes the bytes of a surface field, and says nothing of a mesh that misses nothing")
 {
     const test::TemporaryFolder folder;
     const test::Outcome outcome =
         lumi(joined({"bake", test::write_cube(folder.path()), "-o", folder / "f.lumi"}, test::small_surface_options()));
     INFO(outcome.err);
     REQUIRE(outcome.code == 0);
-    CHECK_THAT(outcome.out, Catch::Contains("triangles") && Catch::Contains("misses 0.0 %"));
+    CHECK_THAT(outcome.out, !Catch::Contains("missing"));
     CHECK((test::content_of(folder / "f.lumi") == test::small_surface_bytes()));
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("inspect --screen --rows --for tells RAM, stack and rates of that scre
     const std::string text = lumi({"inspect", field, "--screen", "466x466", "--for", "esp32s3@20fps,rp2040"}).out;
     for (const char* word : {"466 x 466 pixels of 16 bits in stripes of 16 rows", "mean (worst) of 200 poses",
                              "ESP32-S3* ", "14912 bytes; RP2040 ", "less than 3072 bytes of stack on Cortex-M",
-                             "* estimated", "ESP32-S3 at 20.0 frames a second: "})
+                             "* estimated", "ESP32-S3: ", "estimated), "})
         CHECK_THAT(text, Catch::Contains(word));
     CHECK_THAT(text, !Catch::Contains("STM32"));
 }

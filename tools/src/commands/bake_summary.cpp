@@ -47,22 +47,41 @@ std::optional<double> checked_db(const BakeSummary& summary)
     }
 }
 
-std::string file_line(const BakeSummary& summary)
+// One word for it, and the number: "good likeness (36.4 dB)".
+std::string likeness_text(double psnr_db)
 {
-    const auto saved = static_cast<double>(summary.rays_saved);
-    const std::string savings = saved > 0 ? " (" + count_text(saved) + " of them saved)" : "";
-    return summary.name + ": " + byte_text(std::filesystem::file_size(summary.file)) + ", " + count_text(summary.rays) +
-           " rays" + savings + " in " + duration_text(summary.seconds) + ", " + std::to_string(summary.warnings) +
-           (summary.warnings == 1 ? " warning\n" : " warnings\n");
+    constexpr double kExcellent = 40, kGood = 34, kFair = 28;
+    const char* const word = psnr_db >= kExcellent ? "excellent"
+                             : psnr_db >= kGood    ? "good"
+                             : psnr_db >= kFair    ? "fair"
+                                                   : "poor";
+    return formatted("%s likeness (%.1f dB)", word, psnr_db);
 }
 
+std::string file_and_size(const BakeSummary& summary)
+{
+    return summary.name + ": " + byte_text(std::filesystem::file_size(summary.file)) + ", ";
+}
+
+// "product.lumi: 498 kB, 3:07": begins with file_and_size(), which the likeness follows.
+std::string file_line(const BakeSummary& summary)
+{
+    std::string text = file_and_size(summary) + duration_text(summary.seconds);
+    if (const auto saved = static_cast<double>(summary.rays_saved); saved > 0)
+        text += ", " + count_text(saved) + " of " + count_text(summary.rays) + " light paths saved";
+    if (summary.warnings != 0)
+        text += ", " + std::to_string(summary.warnings) + (summary.warnings == 1 ? " warning" : " warnings");
+    return text + "\n";
+}
+
+// Says where the mesh is not the object; nothing where nobody would see it.
 std::string surface_line(const baker::SurfaceBake& bake)
 {
-    return formatted(
-        "surface: %u triangles, %u texels, %u of %u vertices with view tables; of the rays that meet the scene it "
-        "misses %.1f %%, displaces %.1f %%, adds %.1f %%\n",
-        bake.triangles, bake.texels, bake.viewed_vertices, bake.vertices, 100 * bake.loss.missed,
-        100 * bake.loss.displaced, 100 * bake.loss.added);
+    constexpr double kSeen = 0.01;
+    const double wrong = bake.loss.missed + bake.loss.displaced;
+    if (wrong < kSeen) return "";
+    return formatted("%.0f %% of the object is missing or out of place: it is finer than the field's %u triangles\n",
+                     100 * wrong, bake.triangles);
 }
 
 nlohmann::json surface_json(const baker::SurfaceBake& bake)
@@ -78,15 +97,15 @@ std::string next_line(const std::string& field)
     return "next: lumi render " + shell_word(field) + " -o " + shell_word(picture) + " --turntable 12\n";
 }
 
-// A chord field draws as fast as any of its size: it is told where it was asked.
+// A line for each part that was asked for, else for an RP2040.
 std::string device_lines(const BakeSummary& summary)
 {
-    const BakeOptions& options = summary.options;
-    const bool tells_device = summary.surface || options.has_screen;
-    if (summary.is_shard || (!tells_device && options.fit.paces.empty())) return "";
+    if (summary.is_shard) return "";
     const FieldFile field(summary.file, FieldFile::Role::own_output);
-    std::string text = tells_device ? device_text(field, {options.screen, {}}) : "";
-    for (const planner::Pace& pace : options.fit.paces) text += pace_text(field, pace, options.screen);
+    std::vector<planner::Pace> paces = summary.options.fit.paces;
+    if (paces.empty()) paces = {planner::parse_pace("rp2040").value()};
+    std::string text;
+    for (const planner::Pace& pace : paces) text += pace_text(field, pace, summary.options.screen);
     return text;
 }
 
@@ -95,8 +114,7 @@ void tell_people(const BakeSummary& summary)
     std::string text = file_line(summary);
     if (summary.surface) text += surface_line(*summary.surface);
     if (const auto psnr_db = checked_db(summary))
-        text += formatted("shows about %.1f dB in %d path-traced views, 240 x 240 pixels\n", *psnr_db,
-                          quality::kQuickViews);
+        text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
     text += device_lines(summary);
     if (is_checked(summary)) text += next_line(summary.name);
     std::fputs(text.c_str(), stdout);
@@ -197,10 +215,14 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
         print_json(line);
     } else if (takes_surface) {
         const std::string ram = ram_text(plan);
-        std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
-                    ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
+        if (options.fit.plan_only)
+            std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
+                        ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
+        else if (plan.triangles_without_ram != 0)
+            std::fprintf(stderr, "lumi: it takes %s\n", ram.c_str());
     } else {
-        std::printf("layout chord: %s\n", plan.against.c_str());
+        std::fprintf(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
+                     options.fit.plan_only ? "" : "lumi: ", plan.against.c_str());
     }
     std::fflush(stdout);
     const std::vector<std::string> warnings =
@@ -214,7 +236,7 @@ void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options)
     const std::string by_hand = planner::options_of(chord);
     if (options.progress == ProgressStyle::json)
         print_json({{"layout", "chord"}, {"options", by_hand}, {"state", "planned"}});
-    else
+    else if (options.fit.plan_only)
         std::printf("layout chord: %s\n  by hand: %s\n", planner::text_of(chord).c_str(), by_hand.c_str());
     std::fflush(stdout);
 }

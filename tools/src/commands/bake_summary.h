@@ -46,8 +46,9 @@ struct BakeSummary {
     size_t warnings = 0;
 };
 
-// The layout, its reason and its figures, before the bake; what a surface will not show goes to stderr. Returns how
-// many warnings that were.
+// Tells machines and --plan-only the layout, its reason and its figures, before the bake. Of a bake itself people are
+// told on stderr why it is a chord field, what RAM takes from it, and what a surface will not show. Returns how many
+// warnings that were.
 size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, bool takes_surface);
 void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options);
 // The text that --plan writes.

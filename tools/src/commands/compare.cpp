@@ -16,6 +16,7 @@
 #include "metrics/ssim.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {
@@ -123,14 +124,21 @@ std::optional<MaskedLikeness> masked_likeness(const CompareOptions& options, con
     return MaskedLikeness{psnr_db(a, b, mask), ssim(a, b, mask)};
 }
 
+Likeness likeness_of(const CompareOptions& options, const Picture& a, const Picture& b)
+{
+    const Waiting waiting("comparing");
+    const LeaveAtOnce leaving;
+    return {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
+}
+
 void run(const CompareOptions& options)
 {
     announce_outputs({options.error_picture});
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
     if (options.mask.empty()) warn_of_backgrounds(options, a, b);
-    const Likeness likeness = {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
+    const Likeness likeness = likeness_of(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
     (options.json ? print_likeness : print_text)(likeness, masked);
     const double psnr = masked ? masked->psnr_db : likeness.psnr_db;

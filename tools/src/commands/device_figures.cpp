@@ -5,6 +5,7 @@
 
 #include "../planner/speed.h"
 #include "draw/draw_surface.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -115,11 +116,15 @@ std::string pace_text(const FieldFile& file, const planner::Pace& pace, const ho
     const auto rate_of = [](const ModeFigures& mode) { return mode.parts.front().mean; };
     const auto found = std::find_if(modes.begin(), modes.end(),
                                     [&](const ModeFigures& mode) { return rate_of(mode) >= pace.frames_per_second; });
-    const bool reached = found != modes.end();
-    const ModeFigures& mode = reached ? *found : modes.back();
-    return formatted("%s at %.1f frames a second: %s%s (%.1f)%s\n", pace.chip->title, pace.frames_per_second,
-                     reached ? "by mode " : "in no mode, by ", mode.mode, rate_of(mode),
-                     reached || !file.is_surface() ? "" : "; more --rows or fewer --triangles are faster");
+    const bool is_reached = found != modes.end();
+    const ModeFigures& mode = is_reached ? *found : modes.back();
+    if (const std::string obstacle = obstacle_of(*pace.chip, mode.ram, file); !obstacle.empty())
+        return pace.chip->title + (": " + obstacle) + "\n";
+    std::string text = formatted("%s: %s frames a second at %d x %d pixels (%s, %s), %s of RAM", pace.chip->title,
+                                 rate_text(rate_of(mode)).c_str(), screen.width_px, screen.height_px, mode.mode,
+                                 pace.chip->is_estimated ? "estimated" : "modelled", byte_text(mode.ram.all()).c_str());
+    if (!is_reached) text += formatted(", below %g frames a second", pace.frames_per_second);
+    return text + (is_reached || !file.is_surface() ? "\n" : "; more --rows or fewer --triangles are faster\n");
 }
 
 nlohmann::ordered_json device_json(const FieldFile& file, const Device& device)

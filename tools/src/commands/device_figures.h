@@ -40,7 +40,7 @@ std::vector<ModeFigures> device_figures(const FieldFile& file, const Device& dev
 // For people; ends with a line break.
 std::string device_text(const FieldFile& file, const Device& device = {});
 
-// Which mode the part draws at that pace, a line.
+// The finest mode that the part draws at that pace, else its fastest one, how fast that is, and its RAM: a line.
 std::string pace_text(const FieldFile& file, const planner::Pace& pace, const host::ScreenSize& screen = {});
 
 // "screen", "stack_bytes", "parts", and by mode "ram_bytes", "frames_per_second", "worst_frames_per_second".

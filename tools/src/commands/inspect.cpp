@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "commands/camera_options.h"
@@ -17,6 +18,7 @@
 #include "lumi/baker/scene.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {
@@ -97,7 +99,6 @@ Device device_of(const InspectOptions& options)
 std::string text_of(const InspectOptions& options, const FieldFile& file)
 {
     std::string text = report_text(file, options.verify);
-    if (!options.has_device) return text;
     text += device_text(file, device_of(options));
     for (const planner::Pace& pace : options.paces) text += pace_text(file, pace, options.screen);
     return text;
@@ -127,7 +128,10 @@ void run(const InspectOptions& options)
 {
     announce_outputs({options.output});
     const FieldFile file(options.field);
-    std::fputs((options.json ? json_of(options, file) : text_of(options, file)).c_str(), stdout);
+    std::optional<Waiting> waiting(std::in_place, "drawing poses to time them");
+    const std::string text = options.json ? json_of(options, file) : text_of(options, file);
+    waiting.reset();
+    std::fputs(text.c_str(), stdout);
     if (options.verify) file.require_intact();
     if (!options.output.empty()) write_mesh(options, file);
 }
@@ -152,7 +156,7 @@ void add_inspect(CLI::App& lumi)
     add_screen_options(*command, options->screen);
     add_pace_option(*command, options->paces, "Of these parts: RAM, stack, and a model's frames a second");
     command->footer(
-        "With --screen, --rows or --for it also tells what a device needs to draw the field.\n"
+        "It tells what a device needs to draw the field; in JSON with --screen, --rows or --for.\n"
         "Example:\n  lumi inspect product.lumi --verify\n  lumi inspect product.lumi -o mesh.obj\n  lumi inspect "
         "product.lumi --screen 466x466 --rows 8 --for "
         "esp32s3");

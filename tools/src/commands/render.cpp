@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
@@ -14,6 +15,7 @@
 #include "program/option_checks.h"
 #include "program/plugin.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 
 namespace lumi::tools
 {
@@ -84,8 +86,18 @@ void run(const RenderOptions& options, const Stages& stages)
     file.require_intact();
     Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
     for (const auto& stage : stages) drawer = stage->changed(options, file, drawer);
-    for (const std::string& path : write_views(options.views, options.output, drawer, options.drawing.display))
-        std::printf("%s\n", path.c_str());
+    const int views = std::max(1, options.views.turntable);
+    std::optional<Waiting> waiting(std::in_place, "reading");
+    const Eye* drawn = nullptr;
+    int view = 0;
+    const Drawer told = [&](const Eye& eye, const Rgb8& background) {
+        if (drawn != &eye) waiting->now("drawing view " + std::to_string(++view) + " of " + std::to_string(views));
+        drawn = &eye;
+        return drawer(eye, background);
+    };
+    const std::vector<std::string> written = write_views(options.views, options.output, told, options.drawing.display);
+    waiting.reset();
+    for (const std::string& path : written) std::printf("%s\n", path.c_str());
 }
 
 // Says what is wrong with the word; nothing if it is a mode.

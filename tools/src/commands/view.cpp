@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "lumi/chord/render_spans.h"
 #include "quality/page.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 #include "terminal/text.h"
 #include "viewer/modules.h"
 #include "viewer/page_sources.h"
@@ -199,9 +201,11 @@ void run(const PageOptions& options)
     if (options.views.background.kind == Background::Kind::none)
         throw UsageError("--background of a page takes gradient, black or a colour: a display shows no alpha");
     announce_outputs({options.output});
+    std::optional<Waiting> waiting(std::in_place, "making the page");
     const FieldFile file(options.field);
     file.require_intact();
     const std::string html = page_of(options, file);
+    waiting.reset();
     std::string path = options.output;
     if (path.empty())
         path = show_in_browser(stem_of(options), html);

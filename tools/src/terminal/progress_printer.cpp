@@ -4,8 +4,10 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -16,7 +18,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr double kSecondsBetweenLines = 5;
+constexpr double kSecondsBetweenLines = 5, kSilentSeconds = 2;
 constexpr size_t kMostCells = 30, kFewestCells = 5, kUsualColumns = 80;
 
 size_t columns_of(std::FILE* stream)
@@ -93,6 +95,48 @@ baker::ProgressCallback watch(ProgressPrinter& printer)
 baker::ProgressCallback watch_interrupt()
 {
     return [](const baker::Progress&) { return !interrupt_flag().load(std::memory_order_relaxed); };
+}
+
+Waiting::Waiting(std::string what) : what_(std::move(what))
+{
+    try {
+        teller_ = std::thread([this] { tell(); });
+    } catch (const std::system_error&) {
+    }
+}
+
+Waiting::~Waiting()
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ends_ = true;
+    }
+    ended_.notify_all();
+    if (teller_.joinable()) teller_.join();
+}
+
+void Waiting::now(std::string what)
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    what_ = std::move(what);
+}
+
+void Waiting::tell()
+{
+    using Seconds = std::chrono::duration<double>;
+    const auto begin = std::chrono::steady_clock::now();
+    const bool is_terminal = stderr_is_terminal();
+    std::unique_lock<std::mutex> lock(mutex_);
+    bool has_told = false;
+    for (double wait = kSilentSeconds; !ended_.wait_for(lock, Seconds(wait), [this] { return ends_; });) {
+        const std::string time = duration_text(Seconds(std::chrono::steady_clock::now() - begin).count());
+        const std::string line = what_.substr(0, columns_of(stderr) - time.size() - 3) + "  " + time;
+        std::fprintf(stderr, is_terminal ? "\r%s\x1b[K" : "%s\n", line.c_str());
+        std::fflush(stderr);
+        has_told = true;
+        wait = is_terminal ? 1 : kSecondsBetweenLines;
+    }
+    if (has_told && is_terminal) std::fputs("\r\x1b[K", stderr);
 }
 
 bool stderr_is_terminal()

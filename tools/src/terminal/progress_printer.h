@@ -2,8 +2,11 @@
 // Shows a person or a machine how far a bake is.
 #pragma once
 
+#include <condition_variable>
 #include <cstdio>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "lumi/baker/progress.h"
@@ -45,6 +48,28 @@ private:
 baker::ProgressCallback watch(ProgressPrinter& printer);
 // Only asks for Ctrl-C.
 baker::ProgressCallback watch_interrupt();
+
+// Tells on stderr what a command does that is not done after two seconds, and for how long: on a terminal each second,
+// in a line that vanishes with this, else every few seconds in a line of its own.
+class Waiting
+{
+public:
+    explicit Waiting(std::string what);
+    ~Waiting();
+    Waiting(const Waiting&) = delete;
+    Waiting& operator=(const Waiting&) = delete;
+
+    void now(std::string what);
+
+private:
+    void tell();
+
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    std::string what_;
+    bool ends_ = false;
+    std::thread teller_;  // where the system has no thread left, nothing is told
+};
 
 // Whether stderr is a terminal.
 bool stderr_is_terminal();
