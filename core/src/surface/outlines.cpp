@@ -208,15 +208,14 @@ __attribute__((noinline)) void mark_thin(const SurfaceFrame& frame, uint32_t fro
     }
 }
 
-// Does that for the pairs in rows, or in columns.
-template <bool kIsRow>
-LUMI_ALWAYS_INLINE void drop_inner_of(const Target& target)
+// Drops those in the pairs of rows, or of columns.
+__attribute__((noinline)) void drop_inner_of(const Target& target, bool is_row)
 {
     // A smaller share may be the corner that an edge on the other side cuts off: that is at most 1/8, at 45 degrees.
     constexpr uint32_t kLeastInner = 5;
-    const int32_t stride = kIsRow ? static_cast<int32_t>(sizeof(uint16_t)) : static_cast<int32_t>(target.row_bytes);
+    const int32_t stride = is_row ? static_cast<int32_t>(sizeof(uint16_t)) : static_cast<int32_t>(target.row_bytes);
     const uint32_t words = target.marks_words(), height = static_cast<uint32_t>(target.height);
-    const uint32_t* beyond = target.marks + (kIsRow ? 1 : 2) * marks_plane(target);
+    const uint32_t* beyond = target.marks + (is_row ? 1 : 2) * marks_plane(target);
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t first = 0; first < 32 * words; first += 32)
             for (uint32_t bits = *beyond++; bits != 0; bits &= bits - 1) {
@@ -225,8 +224,8 @@ LUMI_ALWAYS_INLINE void drop_inner_of(const Target& target)
                 const uint32_t upper_depth = depth_at(lower + stride), lower_depth = depth_at(lower);
                 const uint32_t is_upper = upper_depth > lower_depth ? 1 : 0;
                 const uint32_t mark = is_upper != 0 ? upper_depth : lower_depth;
-                if ((mark & 3) != ((kIsRow ? 0 : 2) | is_upper) || (mark & kMarkMask) >> 2 < kLeastInner) continue;
-                const uint32_t column = x + (kIsRow ? is_upper : 0), row = y + (kIsRow ? 0 : is_upper);
+                if ((mark & 3) != ((is_row ? 0 : 2) | is_upper) || (mark & kMarkMask) >> 2 < kLeastInner) continue;
+                const uint32_t column = x + (is_row ? is_upper : 0), row = y + (is_row ? 0 : is_upper);
                 target.marks[row * words + column / 32] &= ~(1u << (column & 31));
             }
 }
@@ -272,8 +271,8 @@ LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, con
 
 LUMI_HOT void drop_inner_edges(const Target& target)
 {
-    drop_inner_of<true>(target);
-    drop_inner_of<false>(target);
+    drop_inner_of(target, true);
+    drop_inner_of(target, false);
 }
 
 LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
