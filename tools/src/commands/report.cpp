@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "../quality/page.h"
 #include "../quality/report_data.h"
@@ -81,6 +82,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.references = traced(options, scene, report.views);
     const quality::Yardstick by = {report.views, report.references, way_of(options)};
+    const Waiting waiting("measuring fields");
     for (const auto& field : fields) {
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
@@ -92,8 +94,10 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
 void tell_quality(const ReportOptions& options, const quality::ReportData& report, const trade::Files& fields)
 {
     std::string text = options.json ? json_of(report) : text_of(report);
-    if (!options.json)
+    if (!options.json) {
+        const Waiting waiting("drawing poses to time them");
         for (const auto& field : fields) text += field->path() + ": " + device_text(*field);
+    }
     std::fputs(text.c_str(), stdout);
     if (!options.output.empty()) write_output(options.output, page_of(report));
 }
@@ -125,10 +129,11 @@ void run(ReportOptions& options)
         fields = open_all(ladder.fields, FieldFile::Role::own_output);
     }
     const quality::ReportData report = report_of(options, scene, fields);
-    if (options.paces.empty())
-        tell_quality(options, report, fields);
-    else
-        tell_trade(options, report, trade::trade_of(report, fields, options.paces, ladder.bakes));
+    if (options.paces.empty()) return tell_quality(options, report, fields);
+    std::optional<Waiting> waiting(std::in_place, "drawing poses to time them");
+    const trade::Trade trade = trade::trade_of(report, fields, options.paces, ladder.bakes);
+    waiting.reset();
+    tell_trade(options, report, trade);
 }
 
 // Values that --quick leaves to the caller where the caller says them.
