@@ -124,7 +124,6 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
 {
     std::optional<FitBasis> basis = common_basis(set);
     set.throw_problems();
-    const SurfaceSettings settings = std::get<SurfaceSettings>(set.shards().begin()->second->identity().settings);
     const FitShape shape(std::move(basis->mesh), basis->densities, std::move(basis->see_through));
     const EncodedTone tone(basis->tone);
     FitState state(shape, tone);
@@ -136,8 +135,7 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
     };
     Job job(1, 0, go_on);
     BakeStages nothing_kept({}, {});
-    const std::vector<uint8_t> bytes =
-        surface_file(shape, solved(state, settings.view_tables, basis->sphere, nothing_kept, job));
+    const std::vector<uint8_t> bytes = surface_file(shape, solved(state, basis->sphere, nothing_kept, job));
     leave_if_cancelled();
     NewFile out(output);
     out.append(bytes);

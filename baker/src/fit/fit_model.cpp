@@ -15,16 +15,20 @@ constexpr int kOneQ12 = 4096;
 FitModel empty_model(const FitShape& shape)
 {
     return {std::vector<LevelColour>(shape.layout.texels),
-            std::vector<LevelColour>(shape.mesh.positions.size() * detail::format::kViewNodes)};
+            std::vector<LevelColour>(shape.mesh.positions.size() * detail::format::kViewNodes),
+            std::vector<Rgb>(shape.layout.texels), std::vector<float>(shape.mesh.patches.size()),
+            viewable_vertices(shape.mesh)};
 }
 
-SampleTaps taps_of(const FitShape& shape, const FitSample& s)
+SampleTaps taps_of(const FitShape& shape, const FitSample& s, const std::vector<uint8_t>& viewed)
 {
     SampleTaps result;
     const int weights[3] = {kOneQ12 - s.second_q12 - s.third_q12, s.second_q12, s.third_q12};
     for (uint32_t k = 0; k < 3; ++k) {
         const uint32_t corner = FitShape::patch_corner(s.triangle, k);
-        const detail::ViewTaps seen = shape.taps(shape.vertex(s.triangle / 2, corner), s.eye);
+        const uint32_t vertex = shape.vertex(s.triangle / 2, corner);
+        if (viewed[vertex] == 0) continue;
+        const detail::ViewTaps seen = shape.taps(vertex, s.eye);
         for (int tap = 0; tap < 3; ++tap) {
             const int weight = (std::max(weights[k], 0) * seen.weight_q8[tap] + 128) >> 8;
             if (weight != 0) {
@@ -66,7 +70,9 @@ std::vector<LevelColour> patch_nodes(const FitShape& shape, const FitModel& mode
 bool is_of(const FitModel& model, const FitShape& shape)
 {
     const FitModel empty = empty_model(shape);
-    return model.texels.size() == empty.texels.size() && model.nodes.size() == empty.nodes.size();
+    return model.texels.size() == empty.texels.size() && model.nodes.size() == empty.nodes.size() &&
+           model.matt.size() == empty.matt.size() && model.alike.size() == empty.alike.size() &&
+           model.viewed.size() == empty.viewed.size();
 }
 
 }  // namespace lumi::baker

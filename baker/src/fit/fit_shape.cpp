@@ -90,6 +90,16 @@ uint32_t texel_at(const PatchRectangle& r, bool second_triangle, float weight_of
     return r.begin + y * r.n + x;
 }
 
+Vec2 place_in(const PatchRectangle& r, uint32_t texel, const Vec2& within)
+{
+    const auto weight = [](uint32_t step, float part, uint32_t side) {
+        const float end = static_cast<float>(side) - kInset, low = std::max(static_cast<float>(step), kInset),
+                    high = std::min(static_cast<float>(step + 1), end);
+        return (low + part * (high - low) - kInset) / (end - kInset);
+    };
+    return {weight(texel % r.n, within.x, r.n), weight(texel / r.n, within.y, r.m)};
+}
+
 ViewTurn view_turn(const Vec3& normal)
 {
     constexpr float kSteps = 127, kOpposite = 1e-3f;

@@ -32,6 +32,9 @@ TexelLayout layout_of(const PatchMesh& mesh, float texels_per_radius);
 // The texel at a point of a patch's first or second triangle, by the barycentric weights of its second and third
 // corner.
 uint32_t texel_at(const PatchRectangle& rectangle, bool second_triangle, float weight_of_second, float weight_of_third);
+// The inverse: a place within a texel, which counts from the rectangle's first, by the weights of the first triangle's
+// second and third corner. Their sum is above 1 on the second triangle, whose own weights are what both lack to 1.
+Vec2 place_in(const PatchRectangle& rectangle, uint32_t texel, const Vec2& within);
 
 // Half a turn about h = (x, y, z)/127 takes +z to the vertex's direction.
 struct ViewTurn {

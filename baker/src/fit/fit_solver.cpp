@@ -12,7 +12,7 @@ namespace
 
 using detail::format::kViewNodes;
 
-constexpr double kGoodEnough = 1e-4;  // the residual, as a share of the first one, at which the solution is taken
+constexpr double kGoodEnough = 3e-4;  // the residual, as a share of the first one, at which the solution is taken
 
 std::array<double, 3> dots(const std::vector<double>& a, const std::vector<double>& b)
 {
@@ -37,6 +37,48 @@ void subtract(const uint32_t* crossed, const std::array<double, 3>& colour, std:
     for (uint32_t j = 0; j < kPatchNodes; ++j) {
         const double weight = kWeightUnit * crossed[j];
         for (size_t c = 0; c < 3; ++c) result[3 * j + c] -= weight * colour[c];
+    }
+}
+
+constexpr size_t place_in_block(size_t row, size_t column)
+{
+    return row * (row + 1) / 2 + column;
+}
+
+void factorise(VertexBlock& block)
+{
+    constexpr float kLeast = 1e-5f;  // of the diagonal: less is rounding
+    for (size_t i = 0; i < kViewNodes; ++i) {
+        float* const row = &block[place_in_block(i, 0)];
+        const float own = row[i];
+        for (size_t j = 0; j <= i; ++j) {
+            const float* const other = &block[place_in_block(j, 0)];
+            float rest = row[j];
+            for (size_t k = 0; k < j; ++k) rest -= row[k] * other[k];
+            if (j < i)
+                row[j] = rest * other[j];
+            else
+                row[i] = rest > kLeast * own && own > 0 ? 1 / std::sqrt(rest) : 0;
+        }
+    }
+}
+
+// Solves for three channels a node, in place.
+void solve_block(const VertexBlock& block, double* numbers)
+{
+    for (size_t c = 0; c < 3; ++c) {
+        std::array<float, kViewNodes> x;
+        for (size_t i = 0; i < kViewNodes; ++i) {
+            const float* const row = &block[place_in_block(i, 0)];
+            auto rest = static_cast<float>(numbers[3 * i + c]);
+            for (size_t k = 0; k < i; ++k) rest -= row[k] * x[k];
+            x[i] = rest * row[i];
+        }
+        for (size_t i = kViewNodes; i-- > 0;) {
+            x[i] *= block[place_in_block(i, i)];
+            for (size_t k = 0; k < i; ++k) x[k] -= block[place_in_block(i, k)] * x[i];
+            numbers[3 * i + c] = static_cast<double>(x[i]);
+        }
     }
 }
 
@@ -104,17 +146,27 @@ FitSolver::Numbers FitSolver::right_side()
                       unit * static_cast<double>(texel.target[2])},
                      part);
         }
+        for (double& number : part) number *= sums.weight;
     });
     mask(result);
     return result;
 }
 
-FitSolver::Numbers FitSolver::diagonal()
+void FitSolver::make_blocks()
 {
-    Numbers result(3 * kViewNodes * sums_.shape().mesh.positions.size());
-    gather(result, [&](uint32_t p, Numbers& part) { matrices_[p].add_diagonal(part); });
-    smoothness_.add_diagonal(result);
-    return result;
+    const FitShape& shape = sums_.shape();
+    blocks_.assign(shape.mesh.positions.size(), {});
+    for (uint32_t p = 0; p < matrices_.size(); ++p) {
+        matrices_[p].each([&](uint32_t a, uint32_t b, float number) {
+            if (a / kViewNodes == b / kViewNodes && a >= b)
+                blocks_[shape.vertex(p, a / kViewNodes)][place_in_block(a % kViewNodes, b % kViewNodes)] += number;
+        });
+    }
+    smoothness_.each([&](uint32_t a, uint32_t b, float number) {
+        if (a / kViewNodes == b / kViewNodes && a >= b)
+            blocks_[a / kViewNodes][place_in_block(a % kViewNodes, b % kViewNodes)] += number;
+    });
+    for (VertexBlock& block : blocks_) factorise(block);
 }
 
 void FitSolver::apply(const Numbers& nodes, Numbers& result)
@@ -125,18 +177,17 @@ void FitSolver::apply(const Numbers& nodes, Numbers& result)
     mask(result);
 }
 
-FitSolver::Numbers FitSolver::preconditioned(const Numbers& residual)
+FitSolver::Numbers FitSolver::preconditioned(const Numbers& residual) const
 {
-    if (scale_.empty()) scale_ = diagonal();
-    Numbers z(residual.size());
-    for (size_t k = 0; k < z.size(); ++k) z[k] = scale_[k] > 0 ? residual[k] / scale_[k] : 0;
+    Numbers z = residual;
+    for (size_t v = 0; v < blocks_.size(); ++v) solve_block(blocks_[v], &z[3 * v * kViewNodes]);
     return z;
 }
 
 ConjugateGradients FitSolver::begun(const FitModel& model)
 {
     make_matrices();
-    scale_.clear();  // the expectation may have changed
+    make_blocks();  // the expectation may have changed
     ConjugateGradients d;
     for (const LevelColour& node : model.nodes)
         for (const float channel : node) d.x.push_back(static_cast<double>(channel));
@@ -153,6 +204,7 @@ ConjugateGradients FitSolver::begun(const FitModel& model)
 void FitSolver::advance(ConjugateGradients& d, int iterations)
 {
     make_matrices();
+    if (blocks_.empty()) make_blocks();
     Numbers product(d.x.size());
     for (int k = 0; k < iterations && !d.done; ++k) {
         apply(d.direction, product);

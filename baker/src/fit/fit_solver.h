@@ -2,7 +2,7 @@
 // The texels and view tables that fit best what the sums hold.
 //
 // Texels are eliminated: each is the mean of its targets less what the view tables add. The rest, one equation a node,
-// is solved by conjugate gradients, preconditioned by the diagonal. The result does not depend on threads.
+// is solved by conjugate gradients, preconditioned by the block of each vertex. The result does not depend on threads.
 #pragma once
 
 #include "fit/patch_matrix.h"
@@ -26,6 +26,10 @@ void fields(Io& io, ConjugateGradients& d)
 }
 bool is_of(const ConjugateGradients& gradients, const FitShape& shape);
 
+// The equations among the nodes of one vertex, as Cholesky's lower triangle: row k has k + 1 numbers, and the
+// diagonal's inverse is at its end. A node without an equation has 0 there.
+using VertexBlock = std::array<float, detail::format::kViewNodes*(detail::format::kViewNodes + 1) / 2>;
+
 class FitSolver
 {
 public:
@@ -46,9 +50,9 @@ private:
     using Numbers = std::vector<double>;  // 3 a node
 
     void make_matrices();
+    void make_blocks();
     Numbers right_side();
-    Numbers diagonal();
-    Numbers preconditioned(const Numbers& residual);
+    Numbers preconditioned(const Numbers& residual) const;
     void apply(const Numbers& nodes, Numbers& result);
     void mask(Numbers& numbers) const;
 
@@ -63,7 +67,7 @@ private:
     Job& job_;
     std::vector<PatchMatrix> matrices_;  // by patch, once they are needed
     std::vector<Numbers> parts_;         // by patch
-    Numbers scale_;                      // the diagonal, once it is needed
+    std::vector<VertexBlock> blocks_;    // by vertex
 };
 
 }  // namespace lumi::baker

@@ -2,6 +2,7 @@
 #include "fit/fit_state.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lumi/baker/bake.h"
 #include "util/byte_stream.h"
@@ -39,22 +40,12 @@ int64_t get_signed(ByteReader& in)
     return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1);
 }
 
-void put(ByteWriter& out, const std::vector<LevelColour>& colours)
+// What the pilot found.
+std::vector<uint8_t> pilot_bytes(const FitModel& expected, const std::vector<uint32_t>& lines)
 {
-    for (const LevelColour& c : colours) out(c);
-}
-
-// Reads into `colours` if it may, else tells whether they are the same.
-bool get(ByteReader& in, std::vector<LevelColour>& colours, bool into)
-{
-    bool same = true;
-    for (LevelColour& c : colours) {
-        LevelColour read = {};
-        in(read);
-        if (into) c = read;
-        same = same && c == read;
-    }
-    return same;
+    ByteWriter out;
+    out(expected, lines);
+    return out.bytes();
 }
 
 void put(ByteWriter& out, const PatchSums& sums)
@@ -124,9 +115,7 @@ std::vector<uint8_t> encode(const FitState& state)
     out.put32(state.wanted);
     out.put32(state.shape.layout.texels);
     out.put64(state.paths);
-    put(out, state.expected.texels);
-    put(out, state.expected.nodes);
-    out(state.extra_chances);
+    out(state.expected, state.lines);
     for (const PatchSums& patch : state.sums.patches()) put(out, patch);
     return out.bytes();
 }
@@ -146,13 +135,13 @@ bool add_encoded(const std::vector<uint8_t>& bytes, FitState& state)
     if (tag != kStateTag || in.get32() != state.shape.layout.texels) return false;
     state.batches += batches;
     state.paths += in.get64();
-    const bool same_texels = get(in, state.expected.texels, !state.has_pilot);
-    if (!get(in, state.expected.nodes, !state.has_pilot) || !same_texels) return false;
-    std::vector<float> chances;
-    in(chances);
-    if (!chances.empty() && chances.size() != state.shape.mesh.patches.size()) return false;
-    if (!state.has_pilot) state.extra_chances = chances;
-    if (chances != state.extra_chances) return false;
+    FitModel expected;
+    std::vector<uint32_t> lines;
+    in(expected, lines);
+    if (!is_of(expected, state.shape) || lines.size() != state.shape.mesh.patches.size()) return false;
+    if (state.has_pilot && pilot_bytes(expected, lines) != pilot_bytes(state.expected, state.lines)) return false;
+    state.expected = std::move(expected);
+    state.lines = std::move(lines);
     state.has_pilot = true;
     for (PatchSums& patch : state.sums.patches()) add(in, patch);
     return true;

@@ -48,6 +48,18 @@ LevelColour cut(const LevelColour& target, const LevelColour& expected)
     return result;
 }
 
+// The area that a patch's texels lie on; those of a lone triangle go on beyond it.
+double rectangle_area(const FitShape& shape, uint32_t patch)
+{
+    const auto area = [&](uint32_t triangle) {
+        const auto corner = [&](uint32_t k) {
+            return shape.mesh.positions[shape.vertex(patch, FitShape::patch_corner(triangle, k))];
+        };
+        return static_cast<double>(length(cross(corner(1) - corner(0), corner(2) - corner(0)))) / 2;
+    };
+    return shape.vertex(patch, 3) == PatchMesh::kNone ? 2 * area(0) : area(0) + area(1);
+}
+
 }  // namespace
 
 int64_t& NodePairs::sum_after(uint16_t key)
@@ -115,9 +127,9 @@ void require_few_enough(uint32_t texel_samples)
         throw BakeError("a texel got a million light paths, more than sums can hold; choose fewer --paths");
 }
 
-LevelColour FitSums::whole_target(const FitSample& sample, const LevelColour& expected) const
+LevelColour FitSums::target_of(const Rgb& radiance, const LevelColour& expected) const
 {
-    LevelColour target = tone_.line_at(expected)(sample.radiance);
+    LevelColour target = tone_.line_at(expected)(radiance);
     for (size_t c = 0; c < 3; ++c) target[c] = white_ == White::clips && expected[c] > kWhite ? kWhite : target[c];
     return target;
 }
@@ -126,10 +138,15 @@ void FitSums::add_target(PatchSums& sums, const std::vector<LevelColour>& nodes,
                          const SampleTaps& taps) const
 {
     const LevelColour expected = predicted(expected_, nodes, sample, taps);
-    const LevelColour all = whole_target(sample, expected), near = cut(all, expected);
-    const std::array<int64_t, 3> target = fixed(near), whole = sample.diffuse ? fixed(all) : target,
-                                 p = fixed(expected);
-    TexelSums& texel = sums.texels[texel_in(sample.triangle / 2, sample)];
+    const uint32_t patch = sample.triangle / 2;
+    const Rgb off = sample.matt - expected_.matt[sample.texel];
+    const LevelColour calm = target_of(sample.radiance - off, expected), near = cut(calm, expected),
+                      all = target_of(sample.radiance, expected);
+    const LevelColour fitted = cut(target_of(sample.radiance - off * expected_.alike[patch], expected), expected);
+    const std::array<int64_t, 3> target = fixed(fitted), p = fixed(expected),
+                                 whole = fixed(LevelColour{all[0] - calm[0] + near[0], all[1] - calm[1] + near[1],
+                                                           all[2] - calm[2] + near[2]});
+    TexelSums& texel = sums.texels[texel_in(patch, sample)];
     for (size_t c = 0; c < 3; ++c) {
         texel.target[c] += target[c];
         texel.predicted[c] += p[c];
@@ -141,12 +158,25 @@ void FitSums::add_target(PatchSums& sums, const std::vector<LevelColour>& nodes,
         for (size_t c = 0; c < 3; ++c) sums.targets[taps.taps[i].node][c] += taps.taps[i].weight_q12 * target[c];
 }
 
+void FitSums::weigh(const std::vector<uint32_t>& lines)
+{
+    double paths = 0, area = 0;
+    for (uint32_t p = 0; p < patches_.size(); ++p) {
+        const double drawn = static_cast<double>(lines[p]) * shape_.layout.rectangles[p].size();
+        patches_[p].weight = drawn > 0 ? rectangle_area(shape_, p) / drawn : 0;
+        area += rectangle_area(shape_, p);
+        paths += drawn;
+    }
+    for (PatchSums& patch : patches_) patch.weight *= area > 0 ? paths / area : 1;
+}
+
 void FitSums::add(uint32_t patch, const FitSample* begin, const FitSample* end)
 {
+    if (begin == end) return;
     PatchSums& sums = patches_[patch];
     const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
     for (const FitSample* s = begin; s != end; ++s) {
-        const SampleTaps taps = taps_of(shape_, *s);
+        const SampleTaps taps = taps_of(shape_, *s, expected_.viewed);
         const uint32_t texel = texel_in(patch, *s);
         uint32_t* crossed = &sums.crossed[size_t{texel} * kPatchNodes];
         require_few_enough(++sums.texels[texel].count);
@@ -172,7 +202,7 @@ void FitSums::add_again(uint32_t patch, const FitSample* begin, const FitSample*
     }
     sums.targets.assign(kPatchNodes, {});
     const std::vector<LevelColour> nodes = patch_nodes(shape_, expected_, patch);
-    for (const FitSample* s = begin; s != end; ++s) add_target(sums, nodes, *s, taps_of(shape_, *s));
+    for (const FitSample* s = begin; s != end; ++s) add_target(sums, nodes, *s, taps_of(shape_, *s, expected_.viewed));
 }
 
 }  // namespace lumi::baker

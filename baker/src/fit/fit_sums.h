@@ -83,6 +83,7 @@ struct PatchSums {
     std::vector<uint32_t> crossed;                // kPatchNodes a texel: sums of weights
     std::vector<std::array<int64_t, 3>> targets;  // by node: sums of weight · target
     NodePairs pairs;
+    double weight = 1;  // of a path in what is fitted; sums hold all paths alike
 };
 
 // Count and scatter of all texels together, without what was cut off.
@@ -107,12 +108,16 @@ public:
     // and that is most of the work.
     void add_again(uint32_t patch, const FitSample* begin, const FitSample* end);
 
+    // Makes paths count by the area that each stands for, 1 in the mean, where texels of a patch get so many lines: a
+    // picture shows areas, however many paths were drawn there.
+    void weigh(const std::vector<uint32_t>& lines);
+
     const FitShape& shape() const { return shape_; }
     std::vector<PatchSums>& patches() { return patches_; }
     const std::vector<PatchSums>& patches() const { return patches_; }
 
 private:
-    LevelColour whole_target(const FitSample& sample, const LevelColour& expected) const;
+    LevelColour target_of(const Rgb& radiance, const LevelColour& expected) const;
     void add_target(PatchSums& sums, const std::vector<LevelColour>& nodes, const FitSample& sample,
                     const SampleTaps& taps) const;
     uint32_t texel_in(uint32_t patch, const FitSample& sample) const

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/light_fit.h"
 
+#include "fit/matt_light.h"
+#include "fit/texel_finish.h"
+
 namespace lumi::baker
 {
 namespace
@@ -9,10 +12,11 @@ namespace
 constexpr uint64_t kPilotSeedOffset = 0x70696C6F;
 constexpr int kPilotRounds = 4;  // each linear around the one before
 constexpr int kPilotIterations = 12;
-// The cost of a round of the pilot (sums of 65 paths, and iterations), in light paths a texel that take as long.
-constexpr double kRoundWork = 25;
+// The cost of a round of the pilot (its sums, and iterations), in light paths a texel that take as long.
+constexpr double kRoundWork = 6;
 constexpr uint32_t kRoundRuns = kPilotIterations + 4;
-constexpr uint32_t kMostAtOnce = 512, kRounds = 16;  // batches between two calls of `keep`, and calls at least
+constexpr uint32_t kRounds = 16;     // calls of `keep` at least
+constexpr double kMostAtOnce = 1e6;  // light paths between two of them: they are kept in memory
 
 // The levels of each texel's mean light; of those with few paths nearly their patch's.
 void start_from_means(const FitShape& shape, const SortedSamples& samples, const EncodedTone& tone, FitModel& model)
@@ -35,24 +39,39 @@ void start_from_means(const FitShape& shape, const SortedSamples& samples, const
     }
 }
 
+// Batches of so many lines to a texel.
+uint32_t at_once_of(uint32_t lines)
+{
+    return static_cast<uint32_t>(std::max(1.0, kMostAtOnce / (double{PathPlan::kBatchTexels} * lines)));
+}
+
+// So that no sum is kept of tables that the solution would leave out.
+void leave_out_flat_tables(const FitSums& sums, FitSolver& solver, FitModel& model)
+{
+    constexpr double kFlat = 4;  // levels, root mean square; a pilot's tables are not known better
+    model.viewed = viewed_vertices(sums, model, kFlat);
+    for (size_t v = 0; v < model.viewed.size(); ++v)
+        if (model.viewed[v] == 0)
+            std::fill_n(model.nodes.begin() + static_cast<std::ptrdiff_t>(v * detail::format::kViewNodes),
+                        detail::format::kViewNodes, LevelColour{});
+    solver.fit_texels(model);
+}
+
 struct PilotRound {
     FitModel model;
-    std::vector<float> extra_chances;
+    std::vector<uint32_t> lines;
 };
 
 template <class Io>
 void fields(Io& io, PilotRound& round)
 {
-    io(round.model, round.extra_chances);
+    io(round.model, round.lines);
 }
 
 }  // namespace
 
 LightFit::LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard)
-    : shape_(shape),
-      settings_(settings),
-      tracer_(scene, shape, ViewCap(settings.cap)),
-      paths_(settings, shard, shape, tracer_)
+    : shape_(shape), settings_(settings), tracer_(scene, shape, ViewCap(settings.cap)), paths_(settings, shard, shape)
 {
 }
 
@@ -61,23 +80,36 @@ SortedSamples LightFit::by_patch(const SampleBatches& batches) const
     return sorted(batches, static_cast<uint32_t>(shape_.mesh.patches.size()));
 }
 
+template <class Number>
+SampleBatches LightFit::traced(Number number, uint32_t count, Job& job, uint64_t seed,
+                               const std::vector<uint32_t>& lines) const
+{
+    SampleBatches samples(count);
+    job.run(count, [&](uint32_t k) {
+        uint64_t all = 0;
+        paths_.each_texel(number(k), [&](uint32_t patch, uint32_t texel) {
+            tracer_.trace(seed, patch, texel, lines[patch], samples[k]);
+            all += lines[patch];
+        });
+        job.add_rays(all);
+    });
+    return samples;
+}
+
 // All shards trace the same pilot.
 SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
 {
     SampleBatches all;
-    const uint32_t count = paths_.pilot_batches();
-    for (uint32_t first = 0; first < count; first += kMostAtOnce) {
-        const uint32_t batches = std::min(kMostAtOnce, count - first);
-        const uint64_t end = job.part_of_rest(0) + uint64_t{SampleTracer::kLines} * batches;
-        const auto traced = [&] {
-            SampleBatches samples(batches);
-            job.run(batches, [&](uint32_t k) {
-                samples[k] = tracer_.samples(settings_.seed + kPilotSeedOffset, first + k);
-                job.add_rays(SampleTracer::kLines);
-            });
-            return samples;
+    const std::vector<uint32_t> lines(shape_.mesh.patches.size(), paths_.pilot_lines());
+    const uint32_t count = paths_.pilot_batches(), at_once = at_once_of(paths_.pilot_lines());
+    for (uint32_t first = 0; first < count; first += at_once) {
+        const uint32_t batches = std::min(at_once, count - first);
+        const uint64_t end = job.part_of_rest(0) + uint64_t{PathPlan::kBatchTexels} * paths_.pilot_lines() * batches;
+        const auto make = [&] {
+            return traced([&](uint32_t k) { return first + k; }, batches, job, settings_.seed + kPilotSeedOffset,
+                          lines);
         };
-        SampleBatches some = stages.once<SampleBatches>("pilot paths", traced, first);
+        SampleBatches some = stages.once<SampleBatches>("pilot paths", make, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
         stages.require_shape(are_of(some, shape_));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -88,10 +120,15 @@ SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
 void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
 {
     const SortedSamples samples = pilot_samples(stages, job);
-    ViewSmoothness smoothness(shape_);
+    if (!settings_.view_tables) state.expected.viewed.assign(state.expected.viewed.size(), 0);
+    ViewSmoothness smoothness(shape_, state.expected.viewed);
     start_from_means(shape_, samples, state.tone, state.expected);
+    const double more = 1.0 * settings_.paths_per_texel / paths_.pilot_lines();
+    for_patches(shape_, job, [&](uint32_t p) {
+        learn_matt_light(shape_, p, samples.begin(p), samples.end(p), more, state.expected);
+    });
     FitSums sums(shape_, state.tone, state.expected, White::goes_on);
-    FitSolver solver(sums, smoothness, viewable_vertices(shape_.mesh), job);
+    sums.weigh(std::vector<uint32_t>(shape_.mesh.patches.size(), paths_.pilot_lines()));
     bool is_first = true;  // not of all rounds: others may have been kept
     for (int round = 0; round < kPilotRounds; ++round) {
         const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
@@ -104,15 +141,17 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
             });
             is_first = false;
             if (round != 0) smoothness.learn(sums, state.expected);
-            PilotRound done = {state.expected, paths_.extra_chances(sums)};
+            PilotRound done = {state.expected, paths_.lines(sums)};
+            FitSolver solver(sums, smoothness, done.model.viewed, job);
             solver.solve(done.model, kPilotIterations);
+            if (round + 1 == kPilotRounds) leave_out_flat_tables(sums, solver, done.model);
+            finish_texels(sums, state.tone, done.model);
             return done;
         };
         PilotRound done = stages.once<PilotRound>("pilot fit", next, round);
-        const size_t chances = done.extra_chances.size();
-        stages.require_shape(is_of(done.model, shape_) && (chances == 0 || chances == shape_.mesh.patches.size()));
+        stages.require_shape(is_of(done.model, shape_) && done.lines.size() == shape_.mesh.patches.size());
         state.expected = std::move(done.model);
-        state.extra_chances = std::move(done.extra_chances);
+        state.lines = std::move(done.lines);
     }
     state.has_pilot = true;
 }
@@ -124,37 +163,32 @@ uint64_t LightFit::pilot_work() const
 
 uint64_t LightFit::work() const
 {
-    return uint64_t{SampleTracer::kLines} * (uint64_t{paths_.pilot_batches()} + paths_.batches()) + pilot_work();
+    return uint64_t{PathPlan::kBatchTexels} * (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
+                                               uint64_t{paths_.most_lines()} * paths_.batches()) +
+           pilot_work();
 }
 
 uint64_t LightFit::work_in(const FitState& state) const
 {
-    const uint64_t pilot = uint64_t{SampleTracer::kLines} * paths_.pilot_batches() + pilot_work();
-    return state.has_pilot ? pilot + uint64_t{SampleTracer::kLines} * state.batches : 0;
+    const uint64_t pilot =
+        uint64_t{PathPlan::kBatchTexels} * paths_.pilot_lines() * paths_.pilot_batches() + pilot_work();
+    return state.has_pilot ? pilot + uint64_t{PathPlan::kBatchTexels} * paths_.most_lines() * state.batches : 0;
 }
 
 void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep)
 {
     const uint32_t batches = paths_.batches();
     state.wanted = batches;
-    const uint32_t at_once = std::clamp(batches / kRounds, 1u, kMostAtOnce);
     if (!state.has_pilot) {
         pilot(state, stages, job);
         keep();
     }
-    const ExtraLines extra(shape_, state.extra_chances);
+    const uint32_t at_once = std::min(std::max(batches / kRounds, 1u), at_once_of(paths_.most_lines()));
     const ProgressCallback quiet;
-    const auto traced = [&](uint32_t count) {
-        SampleBatches samples(count);
-        job.run(count, [&](uint32_t k) {
-            samples[k] = tracer_.samples(settings_.seed, paths_.batch(state.batches + k), &extra);
-            job.add_rays(SampleTracer::kLines);
-        });
-        return samples;
-    };
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
-        const SortedSamples samples = by_patch(traced(count));
+        const SortedSamples samples = by_patch(traced([&](uint32_t k) { return paths_.batch(state.batches + k); },
+                                                      count, job, settings_.seed, state.lines));
         Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

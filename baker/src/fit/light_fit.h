@@ -33,6 +33,10 @@ public:
 private:
     uint64_t pilot_work() const;
     void pilot(FitState& state, BakeStages& stages, Job& job) const;
+    // Those of `count` batches, of which number(k) is the k-th's number.
+    template <class Number>
+    SampleBatches traced(Number number, uint32_t count, Job& job, uint64_t seed,
+                         const std::vector<uint32_t>& lines) const;
     SortedSamples pilot_samples(BakeStages& stages, Job& job) const;
     SortedSamples by_patch(const SampleBatches& batches) const;
 

@@ -8,7 +8,13 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kLanes = 4;  // three channels and one that stays 0, for vector instructions
+using Lanes = float __attribute__((vector_size(4 * sizeof(float))));  // three channels, and one that nobody reads
+constexpr size_t kRowsAtOnce = 4;                                     // whose sums stay in registers
+
+Lanes lanes_of(const double* channels)
+{
+    return Lanes{static_cast<float>(channels[0]), static_cast<float>(channels[1]), static_cast<float>(channels[2]), 0};
+}
 
 std::vector<uint16_t> seen_nodes(const PatchSums& sums)
 {
@@ -52,30 +58,25 @@ PatchMatrix::PatchMatrix(const PatchSums& sums) : nodes_(seen_nodes(sums)), rows
         eliminate(crossed, sums.texels[t].count, matrix);
     }
     for (size_t i = 0; i < n; ++i)
-        for (size_t j = 0; j <= i; ++j) rows_[i * n + j] = rows_[j * n + i] = static_cast<float>(matrix[i * n + j]);
+        for (size_t j = 0; j <= i; ++j)
+            rows_[i * n + j] = rows_[j * n + i] = static_cast<float>(sums.weight * matrix[i * n + j]);
 }
 
 void PatchMatrix::add_product(const std::vector<double>& nodes, std::vector<double>& part) const
 {
     const size_t n = nodes_.size();
-    std::array<double, kLanes * kPatchNodes> x{};
-    for (size_t k = 0; k < n; ++k) std::copy_n(&nodes[3 * size_t{nodes_[k]}], 3, &x[kLanes * k]);
-    for (size_t i = 0; i < n; ++i) {
-        double sums[kLanes] = {};
-        const float* const row = &rows_[i * n];
-        for (size_t j = 0; j < n; ++j) {
-            const auto weight = static_cast<double>(row[j]);
-            for (size_t c = 0; c < kLanes; ++c) sums[c] += weight * x[kLanes * j + c];
-        }
-        for (size_t c = 0; c < 3; ++c) part[3 * size_t{nodes_[i]} + c] += sums[c];
+    std::array<Lanes, kPatchNodes> x;
+    for (size_t k = 0; k < n; ++k) x[k] = lanes_of(&nodes[3 * size_t{nodes_[k]}]);
+    for (size_t i = 0; i < n; i += kRowsAtOnce) {
+        const size_t rows = std::min(kRowsAtOnce, n - i);
+        std::array<const float*, kRowsAtOnce> row;
+        for (size_t r = 0; r < kRowsAtOnce; ++r) row[r] = &rows_[std::min(i + r, n - 1) * n];
+        std::array<Lanes, kRowsAtOnce> sums = {};
+        for (size_t j = 0; j < n; ++j)
+            for (size_t r = 0; r < kRowsAtOnce; ++r) sums[r] += row[r][j] * x[j];
+        for (size_t r = 0; r < rows; ++r)
+            for (size_t c = 0; c < 3; ++c) part[3 * size_t{nodes_[i + r]} + c] += static_cast<double>(sums[r][c]);
     }
-}
-
-void PatchMatrix::add_diagonal(std::vector<double>& part) const
-{
-    const size_t n = nodes_.size();
-    for (size_t k = 0; k < n; ++k)
-        for (size_t c = 0; c < 3; ++c) part[3 * size_t{nodes_[k]} + c] += static_cast<double>(rows_[k * (n + 1)]);
 }
 
 }  // namespace lumi::baker

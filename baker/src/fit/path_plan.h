@@ -2,37 +2,58 @@
 // How many light paths a surface bake traces, and to which patches: only this file decides it.
 #pragma once
 
+#include <algorithm>
 #include "fit/fit_sums.h"
 #include "lumi/baker/surface.h"
 
 namespace lumi::baker
 {
 
+// Texels are counted patch after patch, whose rectangles may lie in any order. A batch is a number of them in that
+// order, with all of their light paths.
 class PathPlan
 {
 public:
-    PathPlan(const SurfaceSettings& settings, const Shard& shard, const FitShape& shape, const SampleTracer& tracer);
+    static constexpr uint32_t kBatchTexels = 64;
+    // Borrows the shape.
+    PathPlan(const SurfaceSettings& settings, const Shard& shard, const FitShape& shape);
 
-    // Batches of lines (fit/sample_tracer.h). All shards trace the same pilot.
-    uint32_t pilot_batches() const;
+    // f(patch, texel) for the texels of a batch; `texel` counts from the patch's first.
+    template <class Function>
+    void each_texel(uint32_t batch, Function f) const;
+
+    // All shards trace the same pilot: so many lines to each texel.
+    uint32_t pilot_batches() const { return batches_; }
+    uint32_t pilot_lines() const { return std::clamp(kMostPilot / std::max(ends_.back(), 1u), 1u, kMostPilotLines); }
     // Batches of the shard after the pilot, and the number of the k-th of them: shards take turns.
-    uint32_t batches() const;
+    uint32_t batches() const { return (batches_ + shard_.count - shard_.index) / shard_.count; }
     uint32_t batch(uint32_t k) const { return k * shard_.count + shard_.index - 1; }
-    // By patch, the chance that an extra line goes there, from the pilot's light.
-    std::vector<float> extra_chances(const FitSums& pilot) const;
+
+    // By patch, the lines to each of its texels: as many as its noise needs and the settings allow.
+    std::vector<uint32_t> lines(const FitSums& pilot) const;
+    // Lines to a texel that the settings allow in the mean.
+    uint32_t most_lines() const { return paths_per_texel_; }
 
 private:
-    uint32_t batches_for(double paths) const;
+    static constexpr uint32_t kMostPilotLines = 32;
+    static constexpr uint32_t kMostPilot = 4'000'000;  // they are kept, in memory and on disk
 
     const Shard shard_;
-    const double texels_, paths_per_texel_;
-    double paths_per_batch_;
+    const FitShape& shape_;
+    const uint32_t paths_per_texel_;
+    std::vector<uint32_t> ends_;  // by patch, in texels
+    uint32_t batches_;
 };
 
-// By patch, the chance that an extra line (fit/extra_lines.h) goes there: none where empty, else numbers that sum to 1.
-// `pilot` holds the light of `pilot_lines` lines through the sphere. As many extra light paths as `share` of the
-// pilot's would bring the sum of all texels' variances to its least: every texel counts alike, however seldom it is
-// seen.
-std::vector<float> extra_chances(const FitSums& pilot, double pilot_lines, double share);
+template <class Function>
+void PathPlan::each_texel(uint32_t batch, Function f) const
+{
+    const uint32_t begin = batch * kBatchTexels, end = std::min(ends_.back(), begin + kBatchTexels);
+    auto patch = static_cast<uint32_t>(std::upper_bound(ends_.begin(), ends_.end(), begin) - ends_.begin());
+    for (uint32_t k = begin; k < end; ++k) {
+        if (k == ends_[patch]) ++patch;
+        f(patch, k - (patch == 0 ? 0 : ends_[patch - 1]));
+    }
+}
 
 }  // namespace lumi::baker

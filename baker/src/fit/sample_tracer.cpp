@@ -66,13 +66,6 @@ std::optional<SampleTracer::Line> SampleTracer::line(const Ray& ray, Sampler& sa
     return l && scene_is_there(*l, sampler) ? l : std::nullopt;
 }
 
-std::optional<SampleTracer::Line> SampleTracer::extra_line(const ExtraLines& extra, Sampler& sampler) const
-{
-    const ExtraLines::Line wanted = extra.draw(sampler);
-    const std::optional<Line> l = cap_.sees(wanted.ray) ? line(wanted.ray, sampler) : std::nullopt;
-    return l && l->hit.triangle / 2 == wanted.patch ? l : std::nullopt;
-}
-
 bool SampleTracer::is_see_through(const Hit& in_scene) const
 {
     return see_through_[scene_.mesh.materials[in_scene.triangle]];
@@ -109,26 +102,21 @@ FitSample SampleTracer::sample(const Line& line, const PathResult& path) const
     const Vec3 eye = eye_of(line.ray);
     return {
         line.hit.triangle, texel_of(line.hit), q12(line.hit.u), q12(line.hit.v), {q12(eye.x), q12(eye.y), q12(eye.z)},
-        path.radiance,     path.diffuse};
+        path.radiance,     path.matt};
 }
 
-std::vector<FitSample> SampleTracer::samples(uint64_t seed, uint32_t batch, const ExtraLines* extra) const
+void SampleTracer::trace(uint64_t seed, uint32_t patch, uint32_t texel, uint32_t lines,
+                         std::vector<FitSample>& samples) const
 {
-    std::vector<FitSample> result;
-    Sampler sampler(seed, batch, 0);
-    const uint32_t lines = kLines + (extra != nullptr && !extra->empty() ? kExtraLines : 0);
+    Sampler sampler(seed, patch, 0);
     for (uint32_t k = 0; k < lines; ++k) {
-        sampler.start(k);
-        std::optional<Line> l;
-        if (k >= kLines)
-            l = extra_line(*extra, sampler);
-        else if (const std::optional<Ray> r = ray(sampler))
-            l = line(*r, sampler);
-        if (!l) continue;
+        sampler.start(texel * lines + k);
+        const std::optional<Ray> ray = texel_line(shape_, patch, texel, sampler);
+        const std::optional<Line> l = ray && cap_.sees(*ray) ? line(*ray, sampler) : std::nullopt;
+        if (!l || l->hit.triangle / 2 != patch) continue;
         const PathResult path = tracer_.trace(l->ray, sampler);
-        if (path.covered) result.push_back(sample(*l, path));
+        if (path.covered) samples.push_back(sample(*l, path));
     }
-    return result;
 }
 
 std::vector<PassingSample> SampleTracer::passing(uint64_t seed, uint32_t batch) const
@@ -157,22 +145,6 @@ std::vector<PassingSample> SampleTracer::passing(uint64_t seed, uint32_t batch) 
             result[s].covered = path.covered;
             result[s].radiance = path.radiance;
         }
-    }
-    return result;
-}
-
-SampleTracer::Meeting SampleTracer::meeting(uint64_t seed, uint32_t batch) const
-{
-    Meeting result;
-    Sampler sampler(seed, batch, 0);
-    for (uint32_t k = 0; k < kLines; ++k) {
-        sampler.start(k);
-        const std::optional<Ray> r = ray(sampler);
-        if (!r) continue;
-        const std::optional<Line> l = see_through_.empty() ? line_to_mesh(*r) : see_through_line(*r, sampler);
-        if (!l) continue;
-        ++result.mesh;
-        result.scene += !see_through_.empty() || scene_is_there(*l, sampler) ? 1u : 0u;
     }
     return result;
 }

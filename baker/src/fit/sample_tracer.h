@@ -2,7 +2,7 @@
 // Samples of the light that leaves a surface field's mesh: pure functions of scene, seed and number.
 #pragma once
 
-#include "fit/extra_lines.h"
+#include "fit/texel_lines.h"
 #include "geometry/view_cap.h"
 #include "mesh/mesh_tracer.h"
 #include "trace/path_tracer.h"
@@ -16,8 +16,7 @@ struct FitSample {
     uint32_t texel;
     int16_t second_q12, third_q12;  // barycentric weights of the triangle's corners
     EyePoint eye;                   // on the line
-    Rgb radiance;
-    bool diffuse;  // so all sides see this light
+    Rgb radiance, matt;             // of PathResult
 };
 
 // A sample of a see-through texel by the light along a line.
@@ -34,7 +33,7 @@ using SampleBatches = std::vector<std::vector<FitSample>>;
 template <class Io>
 void fields(Io& io, FitSample& s)
 {
-    io(s.triangle, s.texel, s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z, s.radiance, s.diffuse);
+    io(s.triangle, s.texel, s.second_q12, s.third_q12, s.eye.x, s.eye.y, s.eye.z, s.radiance, s.matt);
 }
 // Whether all lie on the mesh.
 bool are_of(const SampleBatches& batches, const FitShape& shape);
@@ -45,20 +44,14 @@ public:
     // Borrows scene and shape.
     SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap = {});
 
-    // The lines of a batch: uniform over all lines through the unit sphere, those outside of the cap left out.
+    // Appends the light along so many lines to a texel (fit/texel_lines.h), which counts from its patch's first. Those
+    // are left out that come from outside of the cap or meet something else first, or no scene where the mesh is.
+    void trace(uint64_t seed, uint32_t patch, uint32_t texel, uint32_t lines, std::vector<FitSample>& samples) const;
+
+    // See-through texels of the lines of a batch: uniform over all lines through the unit sphere, those outside of the
+    // cap left out.
     static constexpr uint32_t kLines = 4096;
-    static constexpr uint32_t kExtraLines = kLines / 4;  // that come on top
-    // The light along those of a batch that meet the mesh where the scene is.
-    std::vector<FitSample> samples(uint64_t seed, uint32_t batch, const ExtraLines* extra = nullptr) const;
-
-    // See-through texels of those lines.
     std::vector<PassingSample> passing(uint64_t seed, uint32_t batch) const;
-
-    struct Meeting {
-        uint32_t mesh = 0, scene = 0;  // lines that meet the mesh, and those of them that count
-    };
-    // Counts those lines without tracing light.
-    Meeting meeting(uint64_t seed, uint32_t batch) const;
 
 private:
     struct Line {
@@ -68,7 +61,6 @@ private:
     std::optional<Ray> ray(Sampler& sampler) const;
     std::optional<Line> line(const Ray& ray, Sampler& sampler) const;
     std::optional<Line> line_to_mesh(const Ray& ray) const;
-    std::optional<Line> extra_line(const ExtraLines& extra, Sampler& sampler) const;
     bool scene_is_there(const Line& line, Sampler sampler) const;
     // The line to the mesh's triangle that stands for the surface at which the path of a scene with see-through parts
     // begins.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/texel_density.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fit/encoded_tone.h"
 #include "fit/sample_tracer.h"
 
@@ -10,13 +13,17 @@ namespace
 {
 
 constexpr uint64_t kSeedOffset = 0x64657461;
-constexpr double kPaths = 24;       // a texel
-constexpr double kMaxPaths = 8e6;   // for all texels together: they are kept in memory
-constexpr float kLeastDetail = 12;  // squared levels of all channels: two levels between neighbours
-constexpr float kOutline = 10000;   // the same beside a texel that light passes: 60 levels to what lies behind
-constexpr float kPower = 0.25f;     // the error of smooth colours falls with the fourth power of the density
+constexpr double kLines = 1e6;             // to all cells together, for each half
+constexpr double kFewest = 4, kMost = 32;  // to a cell
+constexpr double kCells = 2e5;             // at most: more tell no more about where detail is
+constexpr uint32_t kFarthest = 8;          // cells between two that are compared
+constexpr float kSure = 2.5f;              // standard errors by which a difference must exceed the noise
+constexpr float kVisible = 5.5f;           // squared levels of a channel between neighbours: finer texels show no more
+constexpr float kLeastCells = 0.25f;       // texels along a line as long as a cell, however even the light
+constexpr float kLeastDetail = 12;         // squared levels of all channels: two levels between neighbours
+constexpr float kOutline = 10000;          // the same beside a texel that light passes: 60 levels to what lies behind
+constexpr float kPower = 0.25f;            // the error of smooth colours falls with the fourth power of the density
 constexpr float kThinnest = 0.4f, kDensest = 3;  // times the mean density
-constexpr uint32_t kMostBatches = 1u << 20;
 
 // Texels by two halves of their paths, whose noise has nothing in common.
 struct Halves {
@@ -38,53 +45,98 @@ float product(const std::array<LevelColour, 2>& a, const std::array<LevelColour,
     return sum;
 }
 
-std::vector<Halves> halves_of(const SortedSamples& samples, uint32_t patch, const PatchRectangle& r)
+// Cells of a rectangle, as levels by each half of their paths, and how much the two halves differ by noise.
+class Cells
 {
-    std::vector<Halves> texels(r.size());
-    for (const FitSample* s = samples.begin(patch); s != samples.end(patch); ++s) {
-        Halves& texel = texels[s->texel - r.begin];
-        const size_t half = texel.counts[0] > texel.counts[1] ? 1 : 0;
-        texel.sums[half] = texel.sums[half] + s->radiance;
-        ++texel.counts[half];
-    }
-    return texels;
-}
-
-PatchDetail detail_of(const SortedSamples& samples, uint32_t patch, const PatchRectangle& r, const EncodedTone& tone,
-                      bool see_through)
-{
-    const std::vector<Halves> texels = halves_of(samples, patch, r);
-    std::vector<std::array<LevelColour, 2>> colours(texels.size());
-    for (size_t t = 0; t < texels.size(); ++t) {
+public:
+    Cells(const std::array<SortedSamples, 2>& samples, uint32_t patch, const PatchRectangle& r, const EncodedTone& tone)
+        : width_(r.n), height_(r.m), colours_(r.size())
+    {
+        std::vector<Halves> cells(r.size());
         for (size_t half = 0; half < 2; ++half) {
-            const float count = static_cast<float>(std::max(texels[t].counts[half], 1u));
-            colours[t][half] = tone.encoded(texels[t].sums[half] * (1 / count));
+            for (const FitSample* s = samples[half].begin(patch); s != samples[half].end(patch); ++s) {
+                Halves& cell = cells[s->texel - r.begin];
+                cell.sums[half] = cell.sums[half] + s->radiance;
+                ++cell.counts[half];
+            }
+        }
+        float count = 0;
+        for (size_t t = 0; t < cells.size(); ++t) {
+            known_.push_back(cells[t].known());
+            if (!known_[t]) continue;
+            for (size_t half = 0; half < 2; ++half)
+                colours_[t][half] = tone.encoded(cells[t].sums[half] * (1 / static_cast<float>(cells[t].counts[half])));
+            for (size_t c = 0; c < 3; ++c) {
+                const float off = colours_[t][0][c] - colours_[t][1][c];
+                noise_ += off * off / 2;
+            }
+            ++count;
+        }
+        noise_ /= std::max(count, 1.0f);
+    }
+
+    // The mean squared difference of all channels between cells that lie `step` apart, as far as it is no noise, for
+    // neighbours: that of an even slope grows with the square of the step, noise does not.
+    float slope(uint32_t step) const
+    {
+        float sum = 0, pairs = 0;
+        const auto compare = [&](size_t a, size_t b) {
+            if (!known_[a] || !known_[b]) return;
+            sum += product(colours_[a], colours_[b]);
+            ++pairs;
+        };
+        each_pair(step, compare);
+        if (pairs == 0) return 0;
+        const float uncertain = kSure * 2 * noise_ / std::sqrt(pairs);
+        return std::max(0.0f, sum / pairs - uncertain) / static_cast<float>(step * step);
+    }
+
+    // The share of neighbours of which light passes one.
+    float outline() const
+    {
+        float edges = 0, pairs = 0;
+        each_pair(1, [&](size_t a, size_t b) {
+            edges += known_[a] != known_[b] ? 1.0f : 0.0f;
+            pairs += known_[a] || known_[b] ? 1.0f : 0.0f;
+        });
+        return edges / std::max(pairs, 1.0f);
+    }
+
+private:
+    template <class Function>
+    void each_pair(uint32_t step, Function f) const
+    {
+        for (uint32_t y = 0; y < height_; ++y) {
+            for (uint32_t x = 0; x < width_; ++x) {
+                const size_t here = size_t{y} * width_ + x;
+                if (x + step < width_) f(here, here + step);
+                if (y + step < height_) f(here, here + size_t{step} * width_);
+            }
         }
     }
+
+    const uint32_t width_, height_;
+    std::vector<std::array<LevelColour, 2>> colours_;
+    std::vector<bool> known_;
+    float noise_ = 0;  // the variance of a half, all channels
+};
+
+PatchDetail detail_of(const std::array<SortedSamples, 2>& samples, uint32_t patch, const PatchRectangle& r,
+                      const EncodedTone& tone, bool see_through)
+{
+    const Cells cells(samples, patch, r, tone);
     PatchDetail result;
-    float pairs = 0;
-    const auto compare = [&](size_t a, size_t b) {
-        if (texels[a].known() && texels[b].known()) {
-            result.detail += product(colours[a], colours[b]);
-            ++pairs;
-        } else if (see_through && (texels[a].known() || texels[b].known())) {
-            result.detail += kOutline;
-            ++pairs;
-        }
-    };
-    for (uint32_t t = 0; t < texels.size(); ++t) {
-        if (t % r.n + 1 < r.n) compare(t, t + 1);
-        if (t + r.n < texels.size()) compare(t, t + r.n);
-    }
-    result.detail = std::max(0.0f, result.detail / std::max(pairs, 1.0f));
-    result.seen = static_cast<float>(samples.end(patch) - samples.begin(patch)) / static_cast<float>(r.size());
+    for (uint32_t step = 1; step <= kFarthest; step *= 2) result.detail = std::max(result.detail, cells.slope(step));
+    if (see_through) result.detail += kOutline * cells.outline();
+    for (const SortedSamples& half : samples)
+        result.seen += static_cast<float>(half.end(patch) - half.begin(patch)) / static_cast<float>(r.size());
     return result;
 }
 
 std::vector<float> scaled(const std::vector<float>& importance, float density, float factor)
 {
     std::vector<float> densities;
-    for (const float v : importance) densities.push_back(density * std::clamp(factor * v, kThinnest, kDensest));
+    for (const float i : importance) densities.push_back(density * std::clamp(factor * i, kThinnest, kDensest));
     return densities;
 }
 
@@ -100,12 +152,27 @@ std::vector<float> within(uint32_t texels, const PatchMesh& mesh, const std::vec
     return scaled(importance, density, low);
 }
 
-SortedSamples traced(const SampleTracer& tracer, uint64_t seed, double paths, uint32_t patches, Job& job)
+// So many texels show what there is: one patch's detail is known badly, their sum well.
+uint32_t needed_texels(const PatchMesh& mesh, const std::vector<float>& details, float cells_per_radius)
 {
-    const uint32_t found = tracer.meeting(seed, 0).scene;
-    const double batches = std::ceil(paths / std::max(1u, found));
-    std::vector<std::vector<FitSample>> samples(static_cast<size_t>(std::min<double>(batches, kMostBatches)));
-    job.run(static_cast<uint32_t>(samples.size()), [&](uint32_t k) { samples[k] = tracer.samples(seed, k); });
+    std::vector<float> densities;
+    for (const float d : details)
+        densities.push_back(cells_per_radius * std::max(kLeastCells, std::sqrt(d / 3 / kVisible)));
+    return unlimited_layout(mesh, densities).texels;
+}
+
+SortedSamples traced(const SampleTracer& tracer, const FitShape& shape, uint64_t seed, uint32_t lines, Job& job)
+{
+    constexpr uint32_t kPatchesATask = 16;
+    const auto patches = static_cast<uint32_t>(shape.mesh.patches.size());
+    std::vector<std::vector<FitSample>> samples((patches + kPatchesATask - 1) / kPatchesATask);
+    job.run(static_cast<uint32_t>(samples.size()), [&](uint32_t k) {
+        for (uint32_t p = k * kPatchesATask; p < std::min(patches, (k + 1) * kPatchesATask); ++p) {
+            const uint32_t texels = shape.layout.rectangles[p].size();
+            for (uint32_t t = 0; t < texels; ++t) tracer.trace(seed, p, t, lines, samples[k]);
+            job.add_rays(uint64_t{texels} * lines);
+        }
+    });
     return sorted(samples, patches);
 }
 
@@ -114,23 +181,32 @@ SortedSamples traced(const SampleTracer& tracer, uint64_t seed, double paths, ui
 std::vector<float> texel_densities(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings,
                                    const ProgressCallback& progress)
 {
-    const std::vector<float> even(mesh.patches.size(), settings.texels_per_radius);
-    const FitShape shape(mesh, even);
+    const uint32_t allowed = layout_of(mesh, settings.texels_per_radius).texels;
+    const float coarse = settings.texels_per_radius * static_cast<float>(std::sqrt(std::min(1.0, kCells / allowed)));
+    const FitShape shape(mesh, std::vector<float>(mesh.patches.size(), coarse));
     const SampleTracer tracer(scene, shape, ViewCap(settings.cap));
     const EncodedTone tone(scene.tone);
     const auto patches = static_cast<uint32_t>(mesh.patches.size());
-    const double paths = std::min(kPaths * shape.layout.texels, kMaxPaths);
-    Job job(static_cast<uint64_t>(paths), settings.threads, progress);
-    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 1);
-    const SortedSamples samples = traced(tracer, settings.seed + kSeedOffset, paths, patches, job);
-    const float usual = static_cast<float>(samples.samples.size()) / static_cast<float>(shape.layout.texels);
-    std::vector<float> importance;
+    const auto lines = static_cast<uint32_t>(std::clamp(kLines / shape.layout.texels, kFewest, kMost));
+    Job job(uint64_t{2} * lines * shape.layout.texels, settings.threads, progress);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 2);
+    const std::array<SortedSamples, 2> samples = {traced(tracer, shape, settings.seed + kSeedOffset, lines, job),
+                                                  traced(tracer, shape, settings.seed + kSeedOffset + 1, lines, job)};
+    const auto paths = static_cast<float>(samples[0].samples.size() + samples[1].samples.size());
+    const float usual = std::max(paths / static_cast<float>(shape.layout.texels), 1e-6f);
+    const float finer = settings.texels_per_radius / coarse;
+    std::vector<float> importance, details;
     for (uint32_t p = 0; p < patches; ++p) {
         const PatchDetail d = detail_of(samples, p, shape.layout.rectangles[p], tone, p >= mesh.opaque_patches());
-        const float seen = d.seen / std::max(usual, 1e-6f);
-        importance.push_back(std::pow(seen * (d.detail + kLeastDetail) / kLeastDetail, kPower));
+        const float detail = d.detail / (finer * finer) + kLeastDetail;
+        importance.push_back(std::pow(d.seen / usual * detail / kLeastDetail, kPower));
+        details.push_back(d.detail);
     }
-    return within(shape.layout.texels, mesh, importance, settings.texels_per_radius);
+    const uint32_t texels = settings.fills ? allowed : std::min(allowed, needed_texels(mesh, details, coarse));
+    // The range of densities is one around the mean.
+    const float density =
+        settings.texels_per_radius * std::sqrt(static_cast<float>(texels) / static_cast<float>(allowed));
+    return within(texels, mesh, importance, density);
 }
 
 }  // namespace lumi::baker

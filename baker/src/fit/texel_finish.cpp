@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "fit/starved_patches.h"
+
 namespace lumi::baker
 {
 
@@ -236,6 +238,46 @@ private:
 std::vector<LevelColour> finished(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width)
 {
     return Rectangle(tone, light, width).smoothed();
+}
+
+namespace
+{
+
+TexelLight light_of(const EncodedTone& tone, const TexelSums& sums, const LevelColour& texel)
+{
+    const double unit = kLevelUnit / std::max(sums.count, 1u);
+    LevelColour expected, target, tables;
+    float light[3];
+    for (size_t c = 0; c < 3; ++c) {
+        const double shown = unit * static_cast<double>(sums.target[c]);
+        tables[c] = static_cast<float>(shown) - texel[c];
+        target[c] = static_cast<float>(shown + unit * static_cast<double>(sums.cut_off[c]));
+        light[c] = static_cast<float>(kLightUnit * static_cast<double>(sums.light[c]) / std::max(sums.count, 1u));
+        expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(sums.predicted[c])));
+    }
+    const Rgb mean = {light[0], light[1], light[2]};
+    const double scatter = kScatterUnit / 3 * static_cast<double>(sums.whole_scatter);
+    return {tone.line_at(expected), sums.count == 0 ? texel : target, mean, tables, scatter, sums.count};
+}
+
+}  // namespace
+
+void finish_texels(const FitSums& all, const EncodedTone& tone, FitModel& model)
+{
+    const FitShape& shape = all.shape();
+    std::vector<uint32_t> counts(model.texels.size(), 0);  // rectangles do not lie in the order of patches
+    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        const PatchSums& sums = all.patches()[p];
+        std::vector<TexelLight> light;
+        for (size_t t = 0; t < r.size(); ++t) {
+            light.push_back(light_of(tone, sums.texels[t], model.texels[r.begin + t]));
+            counts[r.begin + t] = sums.texels[t].count;
+        }
+        const std::vector<LevelColour> texels = finished(tone, light, r.n);
+        std::copy(texels.begin(), texels.end(), model.texels.begin() + r.begin);
+    }
+    fill_starved_patches(shape, counts, model.texels);
 }
 
 }  // namespace lumi::baker

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/encoded_tone.h"
+#include "fit/fit_sums.h"
 
 namespace lumi::baker
 {
@@ -31,5 +32,8 @@ struct TexelLight {
 // texels are. Encoded means of few paths are darker than the encoded mean of many, and so they would be if each was
 // trusted by its own scatter: those that a bright path met scatter most. A rectangle that no path met keeps its texels.
 std::vector<LevelColour> finished(const EncodedTone& tone, const std::vector<TexelLight>& light, uint32_t width);
+
+// All texels of a model that fit such sums. Patches that few paths met are drawn to those around.
+void finish_texels(const FitSums& sums, const EncodedTone& tone, FitModel& model);
 
 }  // namespace lumi::baker

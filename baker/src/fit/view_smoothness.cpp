@@ -27,11 +27,30 @@ std::vector<double> node_weights(const FitSums& sums)
     const FitShape& shape = sums.shape();
     std::vector<double> weights(detail::format::kViewNodes * shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const double unit = kWeightUnit * kWeightUnit * sums.patches()[p].weight;
         sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
-            if (a == b) weights[node_of(shape, p, a)] += kWeightUnit * kWeightUnit * static_cast<double>(sum);
+            if (a == b) weights[node_of(shape, p, a)] += unit * static_cast<double>(sum);
         });
     }
     return weights;
+}
+
+std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model, double levels)
+{
+    using detail::format::kViewNodes;
+    const std::vector<double> weights = node_weights(sums);
+    std::vector<uint8_t> viewed;
+    for (size_t v = 0; v < sums.shape().mesh.positions.size(); ++v) {
+        double sum = 0, all = 0;
+        for (size_t k = v * kViewNodes; k < (v + 1) * kViewNodes; ++k) {
+            double square = 0;
+            for (const float channel : model.nodes[k]) square += static_cast<double>(channel * channel);
+            sum += weights[k] * square / 3;
+            all += weights[k];
+        }
+        viewed.push_back(sum > levels * levels * all ? 1 : 0);
+    }
+    return viewed;
 }
 
 NodeProducts::NodeProducts(const FitSums& sums)
@@ -39,9 +58,10 @@ NodeProducts::NodeProducts(const FitSums& sums)
     const FitShape& shape = sums.shape();
     rows_.resize(detail::format::kViewNodes * shape.mesh.positions.size());
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
+        const double unit = kWeightUnit * kWeightUnit * sums.patches()[p].weight;
         sums.patches()[p].pairs.each([&](uint32_t a, uint32_t b, int64_t sum) {
             const uint32_t i = node_of(shape, p, a), j = node_of(shape, p, b);
-            const auto product = static_cast<float>(kWeightUnit * kWeightUnit * static_cast<double>(sum));
+            const auto product = static_cast<float>(unit * static_cast<double>(sum));
             if (i != j) {
                 rows_[i].push_back({j, product});
                 rows_[j].push_back({i, product});
@@ -105,7 +125,7 @@ detail::ViewDirection turned(const ViewTurn& turn, const detail::ViewDirection& 
     return detail::in_view_frame(w, turn.x, turn.y, turn.z);
 }
 
-// The variance of a light path around each vertex, a channel.
+// The variance of a light path around each vertex, a channel, times the weight that paths have there.
 std::vector<double> noise_at(const FitSums& sums)
 {
     constexpr double kLeast = 1e-3;  // levels²
@@ -116,8 +136,9 @@ std::vector<double> noise_at(const FitSums& sums)
         for (uint32_t corner = 0; corner < 4; ++corner) {
             const uint32_t v = shape.vertex(p, corner);
             if (v == PatchMesh::kNone) continue;
-            scatter[v] += all.variance() * all.count;
-            count[v] += all.count;
+            const double weight = sums.patches()[p].weight;
+            scatter[v] += weight * weight * all.variance() * all.count;
+            count[v] += weight * all.count;
         }
     }
     for (size_t v = 0; v < scatter.size(); ++v) scatter[v] = std::max(scatter[v] / std::max(count[v], 1.0), kLeast);
@@ -132,11 +153,13 @@ double height(const detail::ViewDirection& w)
 
 }  // namespace
 
-ViewSmoothness::ViewSmoothness(const FitShape& shape)
+ViewSmoothness::ViewSmoothness(const FitShape& shape, const std::vector<uint8_t>& viewed)
 {
     expected_.assign(shape.mesh.positions.size(), kUnknown);
-    for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v) add_directions(v);
+    for (uint32_t v = 0; v < shape.mesh.positions.size(); ++v)
+        if (viewed[v] != 0) add_directions(v);
     for (const auto& [a, b] : edges_of(shape.mesh)) {
+        if (viewed[a] == 0 && viewed[b] == 0) continue;
         add_neighbour(shape, a, b);
         add_neighbour(shape, b, a);
     }
@@ -227,12 +250,6 @@ std::vector<double> ViewSmoothness::worth_of_nodes() const
         for (size_t k = 0; k < 4; ++k)
             worths[row.nodes[k]] += static_cast<double>(worth(row) * row.weights[k] * row.weights[k]);
     return worths;
-}
-
-void ViewSmoothness::add_diagonal(std::vector<double>& diagonal) const
-{
-    const std::vector<double> worths = worth_of_nodes();
-    for (size_t k = 0; k < diagonal.size(); ++k) diagonal[k] += worths[k / 3];
 }
 
 }  // namespace lumi::baker

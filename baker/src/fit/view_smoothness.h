@@ -13,6 +13,8 @@ namespace lumi::baker
 
 // By kViewNodes * vertex + node.
 std::vector<double> node_weights(const FitSums& sums);
+// Vertices whose view table changes what is shown by more than so many levels, root mean square.
+std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model, double levels);
 
 // The sums of products of nodes' weights, node by node: what an error at one node adds to the gradient at others.
 class NodeProducts
@@ -35,8 +37,8 @@ private:
 class ViewSmoothness
 {
 public:
-    // The expectation of a vertex of which nothing is known.
-    explicit ViewSmoothness(const FitShape& shape);
+    // The expectation of a vertex of which nothing is known; of those that are not `viewed` nothing is ever asked.
+    ViewSmoothness(const FitShape& shape, const std::vector<uint8_t>& viewed);
 
     // Makes each vertex's expectation what `model` shows, which was fitted to such sums: how different nodes are, and
     // how much more of that the noise of paths hides (a step of expectation maximization).
@@ -44,7 +46,15 @@ public:
 
     // All by channel: 3 numbers a node.
     void add_gradient(const std::vector<double>& nodes, std::vector<double>& gradient) const;
-    void add_diagonal(std::vector<double>& diagonal) const;
+    // f(a, b, number) for each pair of nodes whose product it weighs, in both orders.
+    template <class Function>
+    void each(Function f) const
+    {
+        for (const Row& row : rows_)
+            for (size_t i = 0; i < 4; ++i)
+                for (size_t j = 0; j < 4; ++j)
+                    f(row.nodes[i], row.nodes[j], worth(row) * row.weights[i] * row.weights[j]);
+    }
 
 private:
     enum Kind : uint8_t { direction, neighbour, zero, kKinds };

@@ -101,10 +101,10 @@ public:
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+    float skin_probability(const Vec3& wo) const;
 
 private:
     Rgb body(const Vec3& wo, const Vec3& wi, float facing, float reflectance) const;
-    float skin_probability(const Vec3& wo) const;
 
     const SkinOf<Spread>* skin_;
     Rgb albedo_;
@@ -130,10 +130,9 @@ public:
     Rgb eval(const Vec3& wo, const Vec3& wi) const;
     float pdf(const Vec3& wo, const Vec3& wi) const;
     std::optional<BsdfSample> sample(const Vec3& wo, float u_lobe, const Vec2& u) const;
+    float skin_probability(const Vec3& wo) const;
 
 private:
-    float coat_probability(float cosine) const;
-
     Body body_;
     const Skin* coat_;
     float coverage_;
@@ -211,6 +210,11 @@ public:
     }
     // Whether sample() looks at u_lobe.
     bool has_lobes() const { return !std::holds_alternative<Diffuse>(kind_); }
+    // sample() takes its skin or coat for smaller u_lobe, and what lies below for others; 0 where it has neither.
+    float skin_probability(const Vec3& wo) const
+    {
+        return std::visit([&](const auto& kind) { return probability_of_skin(kind, wo, 0); }, kind_);
+    }
     Rgb eval(const Vec3& wo, const Vec3& wi) const
     {
         return std::visit([&](const auto& kind) { return kind.eval(wo, wi); }, kind_);
@@ -225,6 +229,17 @@ public:
     }
 
 private:
+    template <class Kind>
+    static auto probability_of_skin(const Kind& kind, const Vec3& wo, int) -> decltype(kind.skin_probability(wo))
+    {
+        return kind.skin_probability(wo);
+    }
+    template <class Kind>
+    static float probability_of_skin(const Kind&, const Vec3&, long)
+    {
+        return 0;
+    }
+
     std::variant<Diffuse, Conductor, Plastic, Coated, SmoothGlass, RoughGlass, BrushedConductor, BrushedPlastic,
                  Sheened>
         kind_;

@@ -16,22 +16,22 @@ Rgb Coated::eval(const Vec3& wo, const Vec3& wi) const
     return grey(coverage_ * reflected) + body * below;
 }
 
-float Coated::coat_probability(float cosine) const
+float Coated::skin_probability(const Vec3& wo) const
 {
     constexpr float kLeast = 0.1f, kMost = 0.9f;
-    return std::clamp(coverage_ * coat_->albedo(cosine), kLeast, kMost);
+    return std::clamp(coverage_ * coat_->albedo(wo.z), kLeast, kMost);
 }
 
 float Coated::pdf(const Vec3& wo, const Vec3& wi) const
 {
-    const float p = coat_probability(wo.z);
+    const float p = skin_probability(wo);
     const float body = std::visit([&](const auto& b) { return b.pdf(wo, wi); }, body_);
     return p * reflection_pdf(coat_->facets(), wo, wi) + (1 - p) * body;
 }
 
 std::optional<BsdfSample> Coated::sample(const Vec3& wo, float u_lobe, const Vec2& u) const
 {
-    const float p = coat_probability(wo.z);
+    const float p = skin_probability(wo);
     const std::optional<Vec3> wi = u_lobe < p ? mirrored(wo, coat_->facets().sample_half(wo, u))
                                               : body_direction(body_, wo, (u_lobe - p) / (1 - p), u);
     if (!wi || wi->z <= 0) return std::nullopt;

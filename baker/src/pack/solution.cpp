@@ -10,7 +10,6 @@
 #include "fit/encoded_tone.h"
 #include "fit/fit_model.h"
 #include "fit/fit_solver.h"
-#include "fit/starved_patches.h"
 #include "fit/texel_finish.h"
 #include "image/palette.h"
 #include "lumi/color.h"
@@ -180,56 +179,24 @@ std::vector<LevelColour> opaque_texels(const FitShape& shape, std::vector<LevelC
     return texels;
 }
 
+// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
+constexpr double kLeastDifference = 8;
 constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
 constexpr double kSolveWork = 60;  // light paths a texel that take as long
-
-TexelLight light_of(const EncodedTone& tone, const TexelSums& sums, const LevelColour& texel)
-{
-    const double unit = kLevelUnit / std::max(sums.count, 1u);
-    LevelColour expected, target, tables;
-    float light[3];
-    for (size_t c = 0; c < 3; ++c) {
-        const double shown = unit * static_cast<double>(sums.target[c]);
-        tables[c] = static_cast<float>(shown) - texel[c];
-        target[c] = static_cast<float>(shown + unit * static_cast<double>(sums.cut_off[c]));
-        light[c] = static_cast<float>(kLightUnit * static_cast<double>(sums.light[c]) / std::max(sums.count, 1u));
-        expected[c] = std::min(255.0f, static_cast<float>(unit * static_cast<double>(sums.predicted[c])));
-    }
-    const Rgb mean = {light[0], light[1], light[2]};
-    const double scatter = kScatterUnit / 3 * static_cast<double>(sums.whole_scatter);
-    return {tone.line_at(expected), sums.count == 0 ? texel : target, mean, tables, scatter, sums.count};
-}
-
-void finish_texels(const FitState& state, FitModel& model)
-{
-    std::vector<uint32_t> counts(model.texels.size(), 0);  // rectangles do not lie in the order of patches
-    for (uint32_t p = 0; p < state.shape.mesh.patches.size(); ++p) {
-        const PatchRectangle& r = state.shape.layout.rectangles[p];
-        const PatchSums& sums = state.sums.patches()[p];
-        std::vector<TexelLight> light;
-        for (size_t t = 0; t < r.size(); ++t) {
-            light.push_back(light_of(state.tone, sums.texels[t], model.texels[r.begin + t]));
-            counts[r.begin + t] = sums.texels[t].count;
-        }
-        const std::vector<LevelColour> texels = finished(state.tone, light, r.n);
-        std::copy(texels.begin(), texels.end(), model.texels.begin() + r.begin);
-    }
-    fill_starved_patches(state.shape, counts, model.texels);
-}
 
 class Solution
 {
 public:
     Solution(const FitState& state, BakeStages& stages, Job& job)
-        : state_(state), smoothness_(state.shape), stages_(stages), job_(job)
+        : state_(state), smoothness_(state.shape, state.expected.viewed), stages_(stages), job_(job)
     {
     }
 
-    // From `model` on. Nodes of vertices that are not `viewed` are 0.
-    void solve(FitModel& model, const std::vector<uint8_t>& viewed, const char* name)
+    // From `model` on.
+    void solve(FitModel& model, const char* name)
     {
+        FitSolver solver(state_.sums, smoothness_, model.viewed, job_);
         smoothness_.learn(state_.sums, model);
-        FitSolver solver(state_.sums, smoothness_, viewed, job_);
         ConjugateGradients gradients;
         for (int done = 0; done < kMostIterations && !gradients.done; done += kIterationsAtOnce) {
             const auto next = [&] {
@@ -246,7 +213,7 @@ public:
     void refit_texels(FitModel& model) const
     {
         FitSolver(state_.sums, smoothness_, {}, job_).fit_texels(model);
-        finish_texels(state_, model);
+        finish_texels(state_.sums, state_.tone, model);
     }
 
 private:
@@ -263,23 +230,21 @@ uint64_t solution_work(const FitShape& shape)
     return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
 }
 
-FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, BakeStages& stages, Job& job)
+FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job)
 {
     const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kMostIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
+    state.sums.weigh(state.lines);
     Solution solution(state, stages, job);
-    std::vector<uint8_t> viewed(state.shape.mesh.positions.size(), 0);
     FitModel model = state.expected;
-    if (view_tables) {
-        solution.solve(model, viewable_vertices(state.shape.mesh), "all tables");
-        job.run(1, [&](uint32_t) { viewed = viewed_vertices(state.sums, model); });
-    }
-    solution.solve(model, viewed, "tables");
+    solution.solve(model, "all tables");
+    job.run(1, [&](uint32_t) { model.viewed = viewed_vertices(state.sums, model, kLeastDifference); });
+    solution.solve(model, "tables");
     QuantisedViews views;
     job.run(1, [&](uint32_t) {
-        const auto count = static_cast<uint32_t>(std::count(viewed.begin(), viewed.end(), 1));
+        const auto count = static_cast<uint32_t>(std::count(model.viewed.begin(), model.viewed.end(), 1));
         const uint32_t bits = code_bits_for(planned_view_bytes(state.shape.mesh), count);
-        views = quantised(state.sums, model, viewed, bits);
+        views = quantised(state.sums, model, model.viewed, bits);
     });
     model.nodes = decoded(views);
     PalettedTexels texels;

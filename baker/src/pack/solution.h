@@ -20,6 +20,6 @@ uint64_t solution_work(const FitShape& shape);
 
 // The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
 // less what `stages` have of it.
-FieldParts solved(FitState& state, bool view_tables, const FieldSphere& sphere, BakeStages& stages, Job& job);
+FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job);
 
 }  // namespace lumi::baker

@@ -14,8 +14,6 @@ namespace
 
 using detail::format::kViewNodes;
 
-// Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
-constexpr double kLeastDifference = 8;
 // With a table at every vertex. Where some get none, codes have more bits.
 constexpr uint32_t kPlannedCodeBits = 3;
 constexpr int kSharedRounds = 12;
@@ -290,21 +288,6 @@ uint64_t table_bytes(uint32_t viewed, uint32_t bits)
 }
 
 }  // namespace
-
-std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model)
-{
-    const std::vector<double> weights = node_weights(sums);
-    std::vector<uint8_t> viewed;
-    for (size_t v = 0; v < sums.shape().mesh.positions.size(); ++v) {
-        double sum = 0, all = 0;
-        for (size_t k = v * kViewNodes; k < (v + 1) * kViewNodes; ++k) {
-            sum += weights[k] * static_cast<double>(square(model.nodes[k])) / 3;
-            all += weights[k];
-        }
-        viewed.push_back(sum > kLeastDifference * kLeastDifference * all ? 1 : 0);
-    }
-    return viewed;
-}
 
 uint64_t planned_view_bytes(const PatchMesh& mesh)
 {

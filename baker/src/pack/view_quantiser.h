@@ -13,9 +13,6 @@ struct QuantisedViews {
     std::vector<ViewCode> views;  // by vertex
 };
 
-// Vertices whose view table changes what is shown by more than about a level.
-std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model);
-
 // At most so many bytes are planned for view tables.
 uint64_t planned_view_bytes(const PatchMesh& mesh);
 // The most bits of a code with which the tables of so many vertices fit into these bytes.

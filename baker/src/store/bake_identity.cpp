@@ -35,7 +35,7 @@ void each(See& see, BakeSettings& s)
 template <class See>
 void each(See& see, SurfaceSettings& s)
 {
-    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, seed, threads] = s;
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, seed, threads] = s;
     static_cast<void>(threads);
     see("triangles", triangles);
     see("longest edge", longest_edge);
@@ -43,6 +43,7 @@ void each(See& see, SurfaceSettings& s)
     see("paths", paths_per_texel);
     see("cap", cap);
     see("view tables", view_tables);
+    see("fill", fills);
     see("seed", seed);
 }
 

@@ -129,7 +129,7 @@ public:
 
     SurfaceBake field()
     {
-        const FieldParts parts = solved(state_, settings_.view_tables, sphere_, stages_, job_);
+        const FieldParts parts = solved(state_, sphere_, stages_, job_);
         job_.finish();
         SurfaceBake bake;
         bake.file = surface_file(shape_, parts);
@@ -137,6 +137,8 @@ public:
         for (const ViewCode& view : parts.views) bake.viewed_vertices += view.is_there() ? 1u : 0u;
         bake.triangles = triangle_count(shape_.mesh);
         bake.texels = shape_.layout.texels;
+        const uint32_t allowed = layout_of(shape_.mesh, settings_.texels_per_radius).texels;
+        bake.suffices = bake.texels < 0.9 * allowed;
         bake.loss = loss_;
         bake.paths = state_.paths;
         return bake;

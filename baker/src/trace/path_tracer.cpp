@@ -2,6 +2,7 @@
 #include "trace/path_tracer.h"
 
 #include "lumi/detail/lattice.h"
+#include "material/lobes.h"
 #include "math/vec3.h"
 #include "math/warp.h"
 #include "trace/catcher.h"
@@ -18,7 +19,6 @@ namespace
 constexpr int kRouletteAfter = 2;       // bounces on other things than glass that every path makes
 constexpr float kWorthTwoRays = 0.03f;  // as a share of the light of white: less is looked for by chance
 constexpr float kOnCatcher = 1e-5f;     // radii; far above the rounding error of a hit
-constexpr float kMattPdf = 1 / kPi;     // the highest of a matt surface
 constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
 
 // Veach's power heuristic with exponent 2.
@@ -32,11 +32,13 @@ float power_weight(float own_pdf, float other_pdf)
 struct Walk {
     Ray ray;
     Rgb throughput = grey(1);
-    float pdf = 0;  // solid angle, of the last scattering; unused at the eye
+    float pdf = 0;             // solid angle, of the last scattering; unused at the eye
+    Rgb matt_share = grey(1);  // of what it finds next: PathResult::matt
     bool at_eye = true;
     const Material* glass = nullptr;  // the ray runs through it
     float index2 = 1;                 // the square of its refractive index: radiance in it is larger by as much
-    int bounces = 0;                  // on other things than glass
+    int surfaces = 0;                 // that have turned it
+    int bounces = 0;                  // the same, other things than glass
     int scatterings = 0;              // in the medium
 };
 
@@ -86,18 +88,47 @@ Scattering scattering(const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, c
     return {result.value + bsdf.eval(wo, below), result.pdf + bsdf.pdf(wo, below)};
 }
 
+// Draws a number, or only passes over it where nobody looks at it.
+float needed_1d(bool needed, Sampler& sampler)
+{
+    if (needed) return sampler.next_1d();
+    sampler.skip_1d();
+    return 0;
+}
+
+// A surface as it scatters, and the albedo of its diffuse body; black where that is not the same for all directions.
+struct Scatterer {
+    Bsdf bsdf;
+    Rgb matt;
+};
+
+Scatterer scatterer_at(const HitPoint& point, Sampler& sampler)
+{
+    const float metalness = point.values.metalness;
+    const bool undecided = (metalness > 0 || (point.material->glass && point.values.transmission < 1)) && metalness < 1;
+    const float u = needed_1d(undecided, sampler);
+    const bool has_body = !point.material->glass && !point.folds && u >= metalness;
+    return {point.material->bsdf(point.values, u), has_body ? point.values.base : Rgb()};
+}
+
+// Light that leaves a surface, and what would leave one that has its diffuse body alone, without a skin.
+struct Scattered {
+    Rgb all, matt;
+};
+
 // The light that would arrive at the eye by the surface if nothing stood in its way.
-Rgb unshadowed(const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, const LightSample& light)
+Scattered unshadowed(const Walk& walk, const HitPoint& point, const Scatterer& at, const Vec3& wo,
+                     const LightSample& light)
 {
     const Vec3 wi = point.frame.to_local(light.direction);
     const bool is_lost =
         point.folds ? dot(light.direction, point.geometric_normal) <= 0 : leaks(point, light.direction, wi);
     if (!(light.pdf > 0) || is_lost) return {};
-    const Scattering s = scattering(point, bsdf, wo, light.direction, wi);
-    const Rgb scattered = walk.throughput * s.value * light.radiance;
+    const Scattering s = scattering(point, at.bsdf, wo, light.direction, wi);
+    const Rgb arriving = walk.throughput * light.radiance, scattered = arriving * s.value;
     if (is_black(scattered)) return {};
-    const float weight = light.dirac ? 1 : power_weight(light.pdf, s.pdf);
-    return scattered * (weight / light.pdf);
+    const float weight = (light.dirac ? 1 : power_weight(light.pdf, s.pdf)) / light.pdf;
+    return {scattered * weight, arriving * at.matt * (weight * cosine_pdf(wi))};
 }
 
 LightNumbers light_numbers(Sampler& sampler)
@@ -107,21 +138,22 @@ LightNumbers light_numbers(Sampler& sampler)
 }
 
 // Light that arrives at the surface straight from lights and is scattered towards the eye.
-Rgb direct_light(const SceneData& scene, const Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo,
-                 Sampler& sampler)
+Scattered direct_light(const SceneData& scene, const Walk& walk, const HitPoint& point, const Scatterer& at,
+                       const Vec3& wo, Sampler& sampler)
 {
-    Rgb sum;
+    Scattered sum;
     if (scene.lights.empty()) return sum;
     const float worth = scene.lights.takes_two() ? kWorthTwoRays : 0;
     scene.lights.sample(point.position, light_numbers(sampler), [&](const LightSample& light, float u) {
-        const Rgb most = unshadowed(walk, point, bsdf, wo, light);
-        if (is_black(most)) return;
-        const float brightness = max_component(most) * walk.index2;
+        const Scattered most = unshadowed(walk, point, at, wo, light);
+        if (is_black(most.all)) return;
+        const float brightness = max_component(most.all) * walk.index2;
         const float chance = brightness < worth ? brightness / worth : 1;
         if (u > chance) return;
         const Ray ray = point.ray_to_light(light.direction, light.distance);
         const Rgb through = transmittance(scene, ray, sampler);
-        sum = sum + most * Rgb{through.r / chance, through.g / chance, through.b / chance};
+        const Rgb share = {through.r / chance, through.g / chance, through.b / chance};
+        sum = {sum.all + most.all * share, sum.matt + most.matt * share};
     });
     return sum;
 }
@@ -135,39 +167,32 @@ void cross(Walk& walk, const HitPoint& point)
     walk.index2 = enters ? point.material->index * point.material->index : 1;
 }
 
-// Draws a number, or only passes over it where nobody looks at it.
-float needed_1d(bool needed, Sampler& sampler)
+float ratio(float a, float b)
 {
-    if (needed) return sampler.next_1d();
-    sampler.skip_1d();
-    return 0;
-}
-
-Bsdf bsdf_at(const HitPoint& point, Sampler& sampler)
-{
-    const float metalness = point.values.metalness;
-    const bool undecided = (metalness > 0 || (point.material->glass && point.values.transmission < 1)) && metalness < 1;
-    return point.material->bsdf(point.values, needed_1d(undecided, sampler));
+    return b > 0 ? a / b : 0;
 }
 
 // Turns the walk at the surface; false where the light is lost.
-bool scatter(Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo, Sampler& sampler)
+bool scatter(Walk& walk, const HitPoint& point, const Scatterer& at, const Vec3& wo, float u_lobe, const Vec2& u)
 {
-    const float u_lobe = needed_1d(bsdf.has_lobes(), sampler);
-    const std::optional<BsdfSample> sample = bsdf.sample(wo, u_lobe, sampler.next_2d());
+    const std::optional<BsdfSample> sample = at.bsdf.sample(wo, u_lobe, u);
     if (!sample) return false;
     Vec3 direction = normalized(point.frame.to_world(sample->wi));
     Rgb weight = sample->weight;
     walk.pdf = sample->pdf;
     if (point.folds) {
         if (dot(direction, point.geometric_normal) < 0) direction = point.mirrored_up(direction);
-        const Scattering s = scattering(point, bsdf, wo, direction, point.frame.to_local(direction));
+        const Scattering s = scattering(point, at.bsdf, wo, direction, point.frame.to_local(direction));
         weight = s.value * (1 / s.pdf);
         walk.pdf = s.pdf;
     } else if (leaks(point, direction, sample->wi)) {
         return false;
     }
     if (sample->wi.z < 0) cross(walk, point);
+    if (walk.at_eye) {
+        const Rgb matt = at.matt * (cosine_pdf(sample->wi) / walk.pdf);
+        walk.matt_share = {ratio(matt.r, weight.r), ratio(matt.g, weight.g), ratio(matt.b, weight.b)};
+    }
     walk.throughput = walk.throughput * weight;
     walk.ray = point.ray_towards(direction);
     walk.at_eye = false;
@@ -175,7 +200,7 @@ bool scatter(Walk& walk, const HitPoint& point, const Bsdf& bsdf, const Vec3& wo
 }
 
 // Russian roulette: ends dim paths early and makes the survivors carry their share.
-bool survives(Walk& walk, float most, Sampler& sampler)
+bool survives_roulette(Walk& walk, float most, Sampler& sampler)
 {
     const float survival = std::min(max_component(walk.throughput) * walk.index2, most);
     if (sampler.next_1d() >= survival) return false;
@@ -204,6 +229,7 @@ bool scatter_in_medium(const SceneData& scene, Walk& walk, float distance, Rgb& 
 {
     const Vec3 position = walk.ray.origin + walk.ray.direction * distance;
     walk.throughput = walk.throughput * scene.medium->colour(position);
+    if (walk.at_eye) walk.matt_share = {};
     if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(distance);
     if (is_black(walk.throughput)) return false;
     radiance = radiance + walk.throughput * light_in_medium(scene, position, walk.ray.direction, sampler);
@@ -212,7 +238,8 @@ bool scatter_in_medium(const SceneData& scene, Walk& walk, float distance, Rgb& 
     walk.pdf = phase.density(dot(walk.ray.direction, way));
     walk.ray = {position, way};
     walk.at_eye = false;
-    return ++walk.scatterings < kMaxScatterings && (walk.scatterings <= kRouletteAfter || survives(walk, 1, sampler));
+    return ++walk.scatterings < kMaxScatterings &&
+           (walk.scatterings <= kRouletteAfter || survives_roulette(walk, 1, sampler));
 }
 
 // How far the ray gets in the medium, at most to `end`.
@@ -220,6 +247,90 @@ float free_way(const Medium& medium, const Ray& ray, float end, Sampler& sampler
 {
     return medium.collision({ray.origin, ray.direction, end}, sampler).value_or(end);
 }
+
+// A path from the eye. It goes on twice from a first surface that has a skin, by the skin and by what lies below: few
+// paths would find the skin's light by chance.
+class Path
+{
+public:
+    Path(const SceneData& scene, Sampler& sampler) : scene_(scene), sampler_(sampler) {}
+
+    PathResult traced(const Ray& ray)
+    {
+        follow(Walk{ray});
+        return result_;
+    }
+
+private:
+    void follow(Walk walk)
+    {
+        while (goes_on(walk)) {
+        }
+    }
+
+    void add(const Walk& walk, const Rgb& light)
+    {
+        result_.radiance = result_.radiance + light;
+        result_.matt = result_.matt + walk.matt_share * light;
+    }
+
+    // Takes the walk to its next surface or scattering, and turns it there; false where it ends.
+    bool goes_on(Walk& walk)
+    {
+        Rgb through = grey(1);
+        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler_, through);
+        const float end = hit ? hit->distance : walk.ray.end;
+        const float way = scene_.medium ? free_way(*scene_.medium, walk.ray, end, sampler_) : end;
+        if (!walk.at_eye) add(walk, from_fixtures(scene_, walk, way));
+        walk.throughput = walk.throughput * through;
+        if (way < end) {
+            result_.covered = true;
+            return scatter_in_medium(scene_, walk, way, result_.radiance, sampler_);
+        }
+        if (!hit) {
+            if (!walk.at_eye) add(walk, from_sky(scene_, walk));
+            return false;
+        }
+        result_.covered = true;
+        if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(way);
+        const HitPoint point = hit_point_at(scene_, walk.ray, *hit);
+        if (point.material->thin) walk.throughput = walk.throughput * weight_of_stop(scene_, *hit);
+        add(walk, emitted(scene_, walk, point));
+        const Vec3 wo = point.frame.to_local(-walk.ray.direction);
+        return wo.z > 0 && turns(walk, point, wo);
+    }
+
+    bool turns(Walk& walk, const HitPoint& point, const Vec3& wo)
+    {
+        const Scatterer at = scatterer_at(point, sampler_);
+        const Scattered direct = direct_light(scene_, walk, point, at, wo, sampler_);
+        result_.radiance = result_.radiance + direct.all;
+        result_.matt = result_.matt + (walk.at_eye ? direct.matt : walk.matt_share * direct.all);
+        const float u_lobe = needed_1d(at.bsdf.has_lobes(), sampler_);
+        const Vec2 u = sampler_.next_2d();
+        const float skin = walk.at_eye ? at.bsdf.skin_probability(wo) : 0;
+        if (skin > 0) {
+            Walk other = walk;
+            other.throughput = other.throughput * skin;
+            if (scatter(other, point, at, wo, u_lobe * skin, sampler_.next_2d()) && survives(other, at))
+                follow(other);
+            walk.throughput = walk.throughput * (1 - skin);
+        }
+        return scatter(walk, point, at, wo, skin + u_lobe * (1 - skin), u) && survives(walk, at);
+    }
+
+    // Light that shines through glass is only found by paths that go on: glass ends none.
+    bool survives(Walk& walk, const Scatterer& at)
+    {
+        if (++walk.surfaces == kMaxBounces) return false;
+        if (at.bsdf.is_glass()) return true;
+        return ++walk.bounces <= kRouletteAfter || survives_roulette(walk, kMaxSurvival, sampler_);
+    }
+
+    const SceneData& scene_;
+    Sampler& sampler_;
+    PathResult result_;
+};
 
 }  // namespace
 
@@ -232,48 +343,13 @@ PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
     if (before.covered) return before;
     const Vec3 position = ray.origin + ray.direction * *catcher;
     const float shadow = shadow_at(scene_, position, sampler);
-    if (sampler.next_1d() < shadow) return {true, {}};
+    if (sampler.next_1d() < shadow) return {true, {}, {}};
     return trace_scene({position, ray.direction, ray.end - *catcher}, sampler);
 }
 
 PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
 {
-    PathResult result;
-    Walk walk{ray};
-    for (int bounce = 0; bounce < kMaxBounces;) {
-        Rgb through = grey(1);
-        const std::optional<Hit> hit = closest_opaque(scene_, walk.ray, sampler, through);
-        const float end = hit ? hit->distance : walk.ray.end;
-        const float way = scene_.medium ? free_way(*scene_.medium, walk.ray, end, sampler) : end;
-        if (!walk.at_eye) result.radiance = result.radiance + from_fixtures(scene_, walk, way);
-        walk.throughput = walk.throughput * through;
-        if (way < end) {
-            result.covered = true;
-            if (!scatter_in_medium(scene_, walk, way, result.radiance, sampler)) break;
-            continue;
-        }
-        if (!hit) {
-            result.radiance = walk.at_eye ? Rgb{} : result.radiance + from_sky(scene_, walk);
-            break;
-        }
-        result.covered = true;
-        if (walk.glass) walk.throughput = walk.throughput * walk.glass->absorbed(way);
-        const HitPoint point = hit_point_at(scene_, walk.ray, *hit);
-        if (point.material->thin) walk.throughput = walk.throughput * weight_of_stop(scene_, *hit);
-        result.radiance = result.radiance + emitted(scene_, walk, point);
-
-        const Vec3 wo = point.frame.to_local(-walk.ray.direction);
-        if (wo.z <= 0) break;
-        const Bsdf bsdf = bsdf_at(point, sampler);
-        result.radiance = result.radiance + direct_light(scene_, walk, point, bsdf, wo, sampler);
-        if (!scatter(walk, point, bsdf, wo, sampler)) break;
-        if (bounce == 0) result.diffuse = walk.pdf <= kMattPdf;
-        ++bounce;
-        // Light that shines through glass is only found by paths that go on: glass ends none.
-        if (bsdf.is_glass()) continue;
-        if (++walk.bounces > kRouletteAfter && !survives(walk, kMaxSurvival, sampler)) break;
-    }
-    return result;
+    return Path(scene_, sampler).traced(ray);
 }
 
 uint64_t tracing_fingerprint(const SceneData& scene)

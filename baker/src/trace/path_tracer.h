@@ -22,7 +22,9 @@ inline constexpr int kMaxScatterings = 1 << 16;  // far above the mean of any cl
 struct PathResult {
     bool covered = false;  // the ray meets the scene, its volume by chance, or a shadow on its catcher
     Rgb radiance;          // it comes along the ray; 0 if not covered
-    bool diffuse = false;  // the first surface scattered no more into one direction than a matt one may
+    // The part of it that a matt surface of the first one's colour would send: any direction of view sees it alike in
+    // the mean. The rest may be negative.
+    Rgb matt = {};
 };
 
 class Integrator

@@ -47,6 +47,7 @@ TEST_CASE("texels lie densest where colours change, and are no more in all")
     const Scene scene = one_of_them_striped();
     SurfaceSettings settings = tiny_surface();
     settings.texels_per_radius = 20;
+    settings.fills = true;
     const ProgressCallback quiet;
     const PatchMesh mesh = two_squares();
     const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, quiet);
@@ -54,6 +55,28 @@ TEST_CASE("texels lie densest where colours change, and are no more in all")
     CHECK(densities[0] < 15);
     CHECK(densities[1] > 24);
     CHECK(layout_of(mesh, densities).texels <= layout_of(mesh, settings.texels_per_radius).texels);
+}
+
+TEST_CASE("texels are no more than show, unless they are to fill what is allowed")
+{
+    SceneMaker maker;
+    const uint32_t light = maker.add(lamp(grey(0.6f)));
+    for (const float left : {-0.7f, 0.1f})
+        maker.quad(light, {left, -0.3f, 0}, {left + 0.6f, -0.3f, 0}, {left + 0.6f, 0.3f, 0}, {left, 0.3f, 0});
+    maker.span_unit_sphere();
+    const Scene even = maker.make(constant_environment(0)), striped = one_of_them_striped();
+    const PatchMesh mesh = two_squares();
+    const ProgressCallback quiet;
+    const auto texels = [&](const Scene& scene, bool fills) {
+        SurfaceSettings settings = tiny_surface();
+        settings.texels_per_radius = 60;
+        settings.fills = fills;
+        return layout_of(mesh, texel_densities(scene.data(), mesh, settings, quiet)).texels;
+    };
+    const uint32_t allowed = layout_of(mesh, 60).texels;
+    CHECK(texels(even, false) < allowed / 4);
+    CHECK(texels(even, true) > allowed * 9 / 10);
+    CHECK(texels(striped, false) > allowed / 2);
 }
 
 }  // namespace lumi::baker::testing

@@ -36,7 +36,7 @@ struct Tables {
                                q12(place.y / 2),
                                {q12(6 * eye.x - 3), q12(6 * eye.y - 3), q12(3 * sampler.next_1d())},
                                Rgb{},
-                               false});
+                               {}});
         }
         sums.add(patch, samples.data(), samples.data() + samples.size());
     }

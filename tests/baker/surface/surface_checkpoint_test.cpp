@@ -168,7 +168,7 @@ TEST_CASE("missing and damaged and foreign and unfinished surface shards are nam
     bytes.back() = static_cast<char>(bytes.back() ^ 1);
     folder.write("f.1", bytes);
     CHECK_THROWS_WITH(merge_shards(shards, folder.at("f.lumi")), Catch::Contains("f.1: is not finished or damaged"));
-    CHECK_THROWS_AS(bake_surface_shard(scene, tiny_plan(settings), {1, 2}, folder.at("u"), stop_at(0.8)), Cancelled);
+    CHECK_THROWS_AS(bake_surface_shard(scene, tiny_plan(settings), {1, 2}, folder.at("u"), stop_at(0.4)), Cancelled);
     CHECK_THROWS_WITH(merge_shards({folder.at("u.part"), shards[1]}, folder.at("f.lumi")),
                       Catch::Contains("u.part: is not finished or damaged"));
     SurfaceSettings other = settings;

@@ -196,22 +196,26 @@ TEST_CASE("path tracer: normal maps neither lose light of a white metal nor make
     }
 }
 
-TEST_CASE("path tracer: light from a matt surface is diffuse, from a mirror it is not, and from plastic by chance")
+TEST_CASE("path tracer: what a matt surface would send is all of its light, nothing of a mirror's, and no view's own")
 {
-    const auto share = [](const Material& material) {
+    const auto mean_of = [](const Material& material, const Vec3& from, bool matt) {
         const Scene scene = square_of(material);
         const PathTracer tracer(scene.data());
         Mean mean;
         for (uint32_t k = 0; k < 4000; ++k) {
             Sampler sampler(1, k, 0);
-            mean.add(tracer.trace({{0.1f, 0.1f, 1}, {0, 0, -1}}, sampler).diffuse ? 1 : 0);
+            const PathResult path = tracer.trace({from, normalized(-from)}, sampler);
+            mean.add((matt ? path.matt : path.radiance).g);
         }
         return mean.value();
     };
-    CHECK(share(testing::diffuse(grey(0.5f))) == 1);
-    CHECK(share(testing::metal(grey(0.9f), 0.01f)) < 0.03);
-    CHECK(share(testing::glossy(grey(0.8f), 0.1f)) > 0.75);
-    CHECK(share(testing::glossy(grey(0.01f), 0.1f)) < 0.35);
+    const Vec3 above = {0, 0, 1}, aside = {0.8f, 0, 0.6f};
+    const Material plain = testing::diffuse(grey(0.5f)), plastic = testing::glossy(grey(0.5f), 0.1f);
+    CHECK(mean_of(plain, above, true) == Approx(mean_of(plain, above, false)));
+    CHECK(mean_of(testing::metal(grey(0.9f), 0.01f), above, true) == 0);
+    CHECK(mean_of(plastic, above, true) == Approx(mean_of(plastic, aside, true)).epsilon(0.02));
+    CHECK(mean_of(plastic, above, true) == Approx(mean_of(plain, above, true)).epsilon(0.02));
+    CHECK(mean_of(plastic, aside, false) > mean_of(plastic, above, false));
 }
 
 // The slope of log error against log samples, by least squares over five doublings of four. Sobol' points may only

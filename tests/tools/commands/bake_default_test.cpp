@@ -69,13 +69,14 @@ TEST_CASE("bake without a layout writes a surface field beside the working folde
     std::istringstream lines(outcome.out);
     std::vector<std::string> told;
     for (std::string line; std::getline(lines, line);) told.push_back(line);
-    REQUIRE(told.size() == 3);
+    REQUIRE(told.size() == 4);
     CHECK_THAT(told[0], Catch::Matches(R"(cube\.lumi: [0-9.]+ kB, (excellent|good|fair|poor) likeness \([0-9.]+ dB\), )"
                                        R"([0-9]+:[0-9]{2})"));
-    CHECK_THAT(told[1], Catch::StartsWith("RP2040: ") &&
+    CHECK_THAT(told[1], Catch::Matches(R"([0-9.]+ kB suffice, 12\.0 kB were allowed; --fill uses them all)"));
+    CHECK_THAT(told[2], Catch::StartsWith("RP2040: ") &&
                             Catch::Contains(" frames a second at 240 x 240 pixels (2x2, ") &&
                             Catch::Contains(" kB of RAM"));
-    CHECK_THAT(told[2], Catch::StartsWith("next: lumi render cube.lumi"));
+    CHECK_THAT(told[3], Catch::StartsWith("next: lumi render cube.lumi"));
     CHECK_THAT(lumi({"inspect", folder / "cube.lumi"}).out,
                Catch::Contains("antialiased ") && Catch::Contains("ESP32"));
 }

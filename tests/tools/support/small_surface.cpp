@@ -14,7 +14,7 @@ constexpr char kMesh[] =
     "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
     "usemtl red\nf 1 4 3 2\nf 5 6 7 8\nusemtl green\nf 1 2 6 5\nf 4 8 7 3\nusemtl blue\nf 1 5 8 4\nf 2 3 7 6\n";
 constexpr char kMaterials[] =
-    "newmtl red\nKd 0.8 0.2 0.1\nnewmtl green\nKd 0.2 0.7 0.2\nnewmtl blue\nKd 0.1 0.2 0.8\nKs 0.5 0.5 0.5\nNs 60\n";
+    "newmtl red\nKd 0.8 0.2 0.1\nnewmtl green\nKd 0.2 0.7 0.2\nnewmtl blue\nKd 0.1 0.2 0.8\nPm 1\nPr 0.3\n";
 
 baker::Scene loaded_cube()
 {

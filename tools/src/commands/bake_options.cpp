@@ -22,7 +22,7 @@ constexpr std::array kChordOnly = {"--origins", "--directions", "--texel",   "--
                                    "--beam",    "--spp",        "--adaptive"};
 constexpr std::array kSurfaceShape = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables"};
 // Only surface fields take it, but it says nothing of the layout: a scene may still suit only the other one.
-constexpr std::array kSurfaceTime = {"--paths"};
+constexpr std::array kSurfaceTime = {"--paths", "--fill"};
 
 // The first of them that was given; null if none was.
 template <class Names>
@@ -161,13 +161,16 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
         ->type_name("R")
         ->check(number(0.02, 2))
         ->capture_default_str();
-    command.add_option("--texel-density", s.texels_per_radius, "surface: texels along a line of one radius")
+    command
+        .add_option("--texel-density", s.texels_per_radius,
+                    "surface: texels along a line of one radius, in the mean; fewer where they show as much")
         ->type_name("D")
         ->check(number(1, 4096))
         ->capture_default_str();
     command.add_flag_callback(
         "--no-view-tables", [&s] { s.view_tables = false; },
         "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
+    command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")
         ->check(whole_number(1, kMostPaths))

@@ -84,6 +84,15 @@ std::string surface_line(const baker::SurfaceBake& bake)
                      100 * wrong, bake.triangles);
 }
 
+// "160 kB suffice, 500 kB were allowed; --fill uses them all"
+std::string suffices_line(const BakeSummary& summary)
+{
+    const uint64_t allowed = summary.options.limits.bytes;
+    if (!summary.surface->suffices || allowed == UINT32_MAX) return "";
+    return byte_text(std::filesystem::file_size(summary.file)) + " suffice, " + byte_text(allowed) +
+           " were allowed; --fill uses them all\n";
+}
+
 nlohmann::json surface_json(const baker::SurfaceBake& bake)
 {
     return {{"triangles", bake.triangles},     {"vertices", bake.vertices},  {"viewed_vertices", bake.viewed_vertices},
@@ -112,7 +121,7 @@ std::string device_lines(const BakeSummary& summary)
 void tell_people(const BakeSummary& summary)
 {
     std::string text = file_line(summary);
-    if (summary.surface) text += surface_line(*summary.surface);
+    if (summary.surface) text += surface_line(*summary.surface) + suffices_line(summary);
     if (const auto psnr_db = checked_db(summary))
         text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
     text += device_lines(summary);
@@ -143,6 +152,7 @@ std::string options_of(const baker::SurfacePlan& plan)
         formatted("--layout surface --triangles %u --longest-edge %.6g --texel-density %.6g", s.triangles,
                   static_cast<double>(s.longest_edge), static_cast<double>(s.texels_per_radius));
     if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
+    if (s.fills) options += " --fill";
     return s.view_tables ? options : options + " --no-view-tables";
 }
 

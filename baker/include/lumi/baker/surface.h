@@ -22,14 +22,15 @@ namespace lumi::baker
 {
 
 struct SurfaceSettings {
-    uint32_t triangles = 4000;       // about so many before edges are split
-    float longest_edge = 0.2f;       // edges longer than this are split, in radii
-    float texels_per_radius = 100;   // texels along a line of one radius
-    uint32_t paths_per_texel = 300;  // light paths, in the mean
+    uint32_t triangles = 4000;      // about so many before edges are split
+    float longest_edge = 0.2f;      // edges longer than this are split, in radii
+    float texels_per_radius = 100;  // texels along a line of one radius, in the mean
+    uint32_t paths_per_texel = 60;  // light paths, in the mean
     // Share of the sphere around the scene, its uppermost part, from which eyes at any distance look. What none of them
     // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
     float cap = 1;
     bool view_tables = true;  // false: colours do not depend on the direction of view
+    bool fills = false;       // texels_per_radius also where fewer texels would show as much
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
 };
@@ -100,7 +101,8 @@ struct SurfaceBake {
     std::vector<uint8_t> file;
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
     MeshLoss loss;
-    uint64_t paths = 0;  // that meet the mesh where the scene is
+    uint64_t paths = 0;     // that meet the mesh where the scene is
+    bool suffices = false;  // settings allow more texels, which would show no more
 };
 
 // The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel, and up to 100 kB
@@ -110,13 +112,13 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
 // A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
-// Disk: about three times the sums, which take some hundred bytes a texel; of the pilot 2 kB a texel, at most 480 MB.
+// Disk: about three times the sums, which take some hundred bytes a texel; of the pilot 1.5 kB a texel, at most 200 MB.
 // Throws BakeError, Cancelled; either way both stay.
 SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
 
-// Does the same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, about 65
-// paths a texel: that share of the work is not divided.
+// Does the same for one shard of the light paths, as bake_shard does. Each shard traces the pilot for itself, at most
+// 32 paths a texel: that share of the work is not divided.
 void bake_surface_shard(const Scene& scene, const SurfacePlan& plan, const Shard& shard,
                         const std::filesystem::path& output, const ProgressCallback& progress = {},
                         Earlier earlier = Earlier::resume);
