@@ -44,7 +44,7 @@ std::vector<uint32_t> widest_first(const std::vector<PatchRectangle>& rectangles
     return order;
 }
 
-uint32_t place_in(float coordinate, uint32_t side)
+uint32_t step_at(float coordinate, uint32_t side)
 {
     return std::min(static_cast<uint32_t>(std::max(coordinate, 0.0f)), side - 1);
 }
@@ -86,7 +86,7 @@ uint32_t texel_at(const PatchRectangle& r, bool second_triangle, float weight_of
 {
     const float n = static_cast<float>(r.n), m = static_cast<float>(r.m);
     const float u = kInset + (n - 2 * kInset) * weight_of_second, v = kInset + (m - 2 * kInset) * weight_of_third;
-    const uint32_t x = place_in(second_triangle ? n - u : u, r.n), y = place_in(second_triangle ? m - v : v, r.m);
+    const uint32_t x = step_at(second_triangle ? n - u : u, r.n), y = step_at(second_triangle ? m - v : v, r.m);
     return r.begin + y * r.n + x;
 }
 

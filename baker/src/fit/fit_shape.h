@@ -69,6 +69,10 @@ struct FitShape {
     detail::ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
     // Corner 0, 1 or 2 of triangle 2p or 2p + 1, as a corner of its patch: 0 .. 3.
     static uint32_t patch_corner(uint32_t triangle, uint32_t corner) { return triangle % 2 == 0 ? corner : 3 - corner; }
+    const Vec3& position(uint32_t triangle, uint32_t corner) const
+    {
+        return mesh.positions[vertex(triangle / 2, patch_corner(triangle, corner))];
+    }
     // kNone for the fourth corner of a lone triangle.
     uint32_t vertex(uint32_t patch, uint32_t corner) const
     {

@@ -52,12 +52,13 @@ LevelColour cut(const LevelColour& target, const LevelColour& expected)
 double rectangle_area(const FitShape& shape, uint32_t patch)
 {
     const auto area = [&](uint32_t triangle) {
-        const auto corner = [&](uint32_t k) {
-            return shape.mesh.positions[shape.vertex(patch, FitShape::patch_corner(triangle, k))];
-        };
-        return static_cast<double>(length(cross(corner(1) - corner(0), corner(2) - corner(0)))) / 2;
+        const Vec3& first = shape.position(triangle, 0);
+        return static_cast<double>(
+                   length(cross(shape.position(triangle, 1) - first, shape.position(triangle, 2) - first))) /
+               2;
     };
-    return shape.vertex(patch, 3) == PatchMesh::kNone ? 2 * area(0) : area(0) + area(1);
+    const bool is_alone = shape.vertex(patch, 3) == PatchMesh::kNone;
+    return area(2 * patch) + area(2 * patch + (is_alone ? 0 : 1));
 }
 
 }  // namespace

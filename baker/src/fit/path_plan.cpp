@@ -14,6 +14,8 @@ constexpr double kLeastOwn = 0.25;    // of a variance that was measured around 
 constexpr double kLeastOpen = 0.125;  // share of a patch's lines that nothing stops: no more are spent on it
 constexpr double kFewestPaths = 8;    // to a texel
 constexpr double kOwnPart = 0.4;      // of the noise of texels, which are smoothed afterwards; tables are not
+constexpr double kQuiet = 0.5;        // levels: less noise of a texel is not looked at
+constexpr uint32_t kMostOfMean = 32;  // times the mean: where little else is noisy, one patch would get all
 constexpr int kHalvings = 40;
 
 struct PatchNoise {
@@ -25,7 +27,8 @@ struct PatchNoise {
     double wanted(double per_deviation) const
     {
         const double deviation = kOwnPart * own + tables / std::sqrt(share);
-        return std::max(kFewestPaths, per_deviation * std::sqrt(open) * deviation);
+        const double enough = (own + tables) / kQuiet;
+        return std::max(kFewestPaths, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
     }
 };
 
@@ -106,9 +109,10 @@ std::vector<uint32_t> PathPlan::lines(const FitSums& pilot) const
 {
     const std::vector<PatchNoise> noise = noise_of(pilot, pilot_lines());
     const double per_deviation = paths_per_deviation(noise, 1.0 * paths_per_texel_ * ends_.back());
+    const double most = std::min(1.0 * kMostOfMean * paths_per_texel_, kMaxTexelSamples - 1.0);
     std::vector<uint32_t> result;
     for (const PatchNoise& n : noise)
-        result.push_back(static_cast<uint32_t>(std::ceil(n.wanted(per_deviation) / n.open)));
+        result.push_back(static_cast<uint32_t>(std::min(most, std::ceil(n.wanted(per_deviation) / n.open))));
     return result;
 }
 

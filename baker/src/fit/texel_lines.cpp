@@ -17,13 +17,10 @@ struct Triangle {
     Vec3 at(const Vec2& weights) const { return first + across * weights.x + down * weights.y; }
 };
 
-Triangle triangle_of(const FitShape& shape, uint32_t patch, bool second)
+Triangle triangle_of(const FitShape& shape, uint32_t triangle)
 {
-    const auto corner = [&](uint32_t k) {
-        return shape.mesh.positions[shape.vertex(patch, FitShape::patch_corner(2 * patch + (second ? 1 : 0), k))];
-    };
-    const Vec3 first = corner(0);
-    return {first, corner(1) - first, corner(2) - first};
+    const Vec3& first = shape.position(triangle, 0);
+    return {first, shape.position(triangle, 1) - first, shape.position(triangle, 2) - first};
 }
 
 }  // namespace
@@ -36,7 +33,7 @@ std::optional<Ray> texel_line(const FitShape& shape, uint32_t patch, uint32_t te
     const bool second = weights.x + weights.y > 1;
     if (second && shape.vertex(patch, 3) == PatchMesh::kNone) return std::nullopt;
     if (second) weights = {1 - weights.x, 1 - weights.y};
-    const Triangle triangle = triangle_of(shape, patch, second);
+    const Triangle triangle = triangle_of(shape, 2 * patch + (second ? 1 : 0));
     const Vec3 normal = cross(triangle.across, triangle.down);
     if (!(dot(normal, normal) > 0)) return std::nullopt;
     const Vec3 place = triangle.at(weights);

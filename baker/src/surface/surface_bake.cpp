@@ -94,6 +94,8 @@ FitBasis basis_for(const Scene& scene, const SurfacePlan& plan, const std::files
     return basis;
 }
 
+constexpr double kNearlyAll = 0.9;  // of the texels that are allowed: what is left is not worth a word
+
 // From the mesh to the file. Borrows all but the basis.
 class SurfaceFit
 {
@@ -138,7 +140,7 @@ public:
         bake.triangles = triangle_count(shape_.mesh);
         bake.texels = shape_.layout.texels;
         const uint32_t allowed = layout_of(shape_.mesh, settings_.texels_per_radius).texels;
-        bake.suffices = bake.texels < 0.9 * allowed;
+        bake.suffices = bake.texels < kNearlyAll * allowed;
         bake.loss = loss_;
         bake.paths = state_.paths;
         return bake;

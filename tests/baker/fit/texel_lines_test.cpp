@@ -37,9 +37,8 @@ void add_light(FitSums& sums, uint32_t patch, uint32_t paths, float noise)
     sums.add(patch, samples.data(), samples.data() + samples.size());
 }
 
-// Of the first square's texels, of which so many lines of the pilot brought light, as noisy as this; the others' noise
-// is 0.1.
-std::vector<uint32_t> planned_lines(uint32_t paths, float noise)
+// Of the first square's texels, of which so many lines of the pilot brought light, as noisy as this.
+std::vector<uint32_t> planned_lines(uint32_t paths, float noise, float others = 0.1f)
 {
     const FitShape shape = shape_of_three();
     const EncodedTone tone(ToneCurve::srgb);
@@ -47,7 +46,7 @@ std::vector<uint32_t> planned_lines(uint32_t paths, float noise)
     for (LevelColour& texel : model.texels) texel = {124, 124, 124};
     FitSums sums(shape, tone, model, White::goes_on);
     add_light(sums, 0, paths, noise);
-    add_light(sums, 1, kPilotLines, 0.1f);
+    add_light(sums, 1, kPilotLines, others);
     SurfaceSettings settings;
     settings.paths_per_texel = 60;
     return PathPlan(settings, Shard{}, shape).lines(sums);
@@ -107,6 +106,8 @@ TEST_CASE("more lines go where light is noisy, or where few lines bring any", "[
     CHECK(alike[0] == Approx(alike[1]).epsilon(0.1));
     CHECK(noisy[0] > 2 * noisy[1]);
     CHECK(hidden[0] > hidden[1] * 3 / 2);
+    CHECK(planned_lines(1, 10, 0)[0] <= 32 * 60);  // however little noise there is elsewhere
+    for (const uint32_t lines : planned_lines(kPilotLines, 0, 0)) CHECK(lines <= 64);  // more would tell nothing new
 }
 
 }  // namespace lumi::baker::testing
