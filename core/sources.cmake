@@ -37,6 +37,7 @@ set(LUMI_CORE_SOURCES
   src/surface/halves.cpp
   src/surface/wide.cpp
   src/surface/outlines.cpp
+  src/surface/part_records.cpp
   src/surface/pieces.cpp
   src/surface/projection.cpp
   src/surface/armv6m/rows.S

@@ -32,6 +32,7 @@ set(LUMI_CORE_TEST_SOURCES
   surface/extreme_surface_test.cpp
   surface/halves_test.cpp
   surface/halves_threads_test.cpp
+  surface/part_records_test.cpp
   surface/planes_test.cpp
   surface/render_test.cpp
   surface/see_through_test.cpp

@@ -18,6 +18,17 @@ namespace lumi::baker
 
 class BakeStages;
 
+// A rigid opaque part of the scene that turns about an axis, right-handed, or slides along it, in the unit sphere's
+// frame. It moves from one value to another, turns or radii; a turn that spans 1 or more is free. At 0 it is where the
+// mesh has it.
+struct MovingPart {
+    std::string name;  // 1 .. 40 bytes of UTF-8
+    bool slides = false;
+    Vec3 axis, pivot;  // unit length; a point of the axis, of a turn
+    double from = 0, to = 1;
+    uint32_t first_patch = 0;  // its patches run to the next part's, the last part's to the end of the opaque ones
+};
+
 struct PatchMesh {
     static constexpr uint32_t kNone = UINT32_MAX;
 
@@ -28,7 +39,8 @@ struct PatchMesh {
 
     std::vector<Vec3> positions;  // in the unit sphere's frame, rounded to steps of 2^-14
     std::vector<Vec3> normals;    // unit length: about where the surface around a vertex faces; view tables turn by it
-    std::vector<Patch> patches;
+    std::vector<Patch> patches;   // those of the body, of part after part, and see-through ones
+    std::vector<MovingPart> parts;
     float longest_edge = 0;            // the longest edge of any triangle
     uint32_t see_through_patches = 0;  // the last so many
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "lumi/fixed.h"
 #include "lumi/surface/format.h"
 #include "mesh/patch_mesh.h"
 #include "store/section_writer.h"
@@ -74,13 +75,22 @@ void add_neighbours(const PatchMesh& mesh, uint32_t first, uint32_t end, std::ve
     }
 }
 
-// In the order that the section has them: opaque patches have opaque neighbours, see-through ones see-through ones.
+// The first opaque patch of the body and of each part, and the end of the last.
+std::vector<uint32_t> owner_ends(const PatchMesh& mesh)
+{
+    std::vector<uint32_t> ends = {0};
+    for (const MovingPart& part : mesh.parts) ends.push_back(part.first_patch);
+    ends.push_back(mesh.opaque_patches());
+    return ends;
+}
+
+// In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 {
-    const uint32_t opaque = mesh.opaque_patches(), all = static_cast<uint32_t>(mesh.patches.size());
+    std::vector<uint32_t> ends = owner_ends(mesh);
+    ends.push_back(static_cast<uint32_t>(mesh.patches.size()));
     std::vector<std::array<uint16_t, 4>> result;
-    add_neighbours(mesh, 0, opaque, result);
-    add_neighbours(mesh, opaque, all, result);
+    for (size_t k = 1; k < ends.size(); ++k) add_neighbours(mesh, ends[k - 1], ends[k], result);
     return result;
 }
 
@@ -89,20 +99,45 @@ struct Contents {
     std::vector<uint8_t> bytes;
 };
 
-// Vertices in the file's order, those with view tables first, and their numbers in it.
+// By vertex: 0 for the body, k for part k - 1. Parts share no vertices.
+std::vector<uint32_t> owners_of(const PatchMesh& mesh)
+{
+    const std::vector<uint32_t> ends = owner_ends(mesh);
+    std::vector<uint32_t> owners(mesh.positions.size());
+    for (uint32_t owner = 1; owner <= mesh.parts.size(); ++owner) {
+        for (uint32_t p = ends[owner]; p < ends[owner + 1]; ++p) {
+            const PatchMesh::Patch& patch = mesh.patches[p];
+            for (const uint32_t v : {patch.a, patch.b, patch.c, patch.d})
+                if (v != PatchMesh::kNone) owners[v] = owner;
+        }
+    }
+    return owners;
+}
+
+// Vertices in the file's order: those with view tables, then the others, each by owner; and their numbers in it.
 struct VertexOrder {
-    std::vector<uint32_t> vertices, numbers;
+    std::vector<uint32_t> vertices, numbers, owners;
     uint32_t viewed;
+
+    // The first of the vertices from `begin` up to `end` that an owner or a later one has.
+    uint32_t first_of(uint32_t owner, uint32_t begin, uint32_t end) const
+    {
+        while (begin < end && owners[vertices[begin]] < owner) ++begin;
+        return begin;
+    }
 };
 
-VertexOrder order_of(const std::vector<ViewCode>& views)
+VertexOrder order_of(const PatchMesh& mesh, const std::vector<ViewCode>& views)
 {
     VertexOrder order;
+    order.owners = owners_of(mesh);
     order.vertices.resize(views.size());
     std::iota(order.vertices.begin(), order.vertices.end(), 0u);
-    const auto end = std::stable_partition(order.vertices.begin(), order.vertices.end(),
-                                           [&](uint32_t v) { return views[v].is_there(); });
-    order.viewed = static_cast<uint32_t>(end - order.vertices.begin());
+    const auto place = [&](uint32_t v) { return std::pair(!views[v].is_there(), order.owners[v]); };
+    std::stable_sort(
+        order.vertices.begin(), order.vertices.end(), [&](uint32_t v, uint32_t w) { return place(v) < place(w); });
+    order.viewed = static_cast<uint32_t>(
+        std::count_if(views.begin(), views.end(), [](const ViewCode& view) { return view.is_there(); }));
     order.numbers.resize(views.size());
     for (uint32_t k = 0; k < order.vertices.size(); ++k) order.numbers[order.vertices[k]] = k;
     return order;
@@ -230,6 +265,48 @@ std::vector<uint8_t> see_through_section(const FitShape& shape, const FieldParts
     return b.take();
 }
 
+void put_vector(Bytes& b, size_t at, const Vec3& v, double one)
+{
+    size_t byte = at;
+    for (const float c : {v.x, v.y, v.z}) {
+        b.put32(byte, static_cast<uint32_t>(std::lround(c * one)));
+        byte += 4;
+    }
+}
+
+void put_part(Bytes& b, size_t record, const MovingPart& part)
+{
+    namespace at = detail::format::part;
+    b.put16(record + at::kFirstPatchAt, static_cast<uint16_t>(part.first_patch));
+    b.put8(record + at::kMotionAt, part.slides ? 1 : 0);
+    put_vector(b, record + at::kAxisAt, part.axis, kOneQ30);
+    if (!part.slides) put_vector(b, record + at::kPivotAt, part.pivot, kOneQ20);
+    const double one = part.slides ? double{kOneQ20} : 0x1p32;
+    const bool is_free = !part.slides && part.to - part.from >= 1;
+    const int64_t from = std::llround(part.from * one), to = std::llround(part.to * one);
+    b.put32(record + at::kFromAt, is_free ? 0 : static_cast<uint32_t>(from));
+    b.put32(record + at::kSpanAt, is_free ? UINT32_MAX : static_cast<uint32_t>(to - from));
+    for (size_t k = 0; k < std::min<size_t>(part.name.size(), at::kNameBytes); ++k)
+        b.put8(record + at::kNameAt + k, static_cast<uint8_t>(part.name[k]));
+}
+
+std::vector<uint8_t> parts_section(const PatchMesh& mesh, const VertexOrder& order)
+{
+    namespace format = detail::format;
+    const uint32_t count = static_cast<uint32_t>(mesh.parts.size()), all = static_cast<uint32_t>(order.vertices.size());
+    Bytes b(format::kPartsHeaderBytes + count * format::kPartBytes);
+    b.put16(0, static_cast<uint16_t>(count));
+    for (uint32_t k = 0; k < count; ++k) {
+        const size_t record = format::kPartsHeaderBytes + k * format::kPartBytes;
+        put_part(b, record, mesh.parts[k]);
+        const uint32_t first_viewed = order.first_of(k + 1, 0, order.viewed);
+        const uint32_t first_plain = order.first_of(k + 1, order.viewed, all);
+        b.put16(record + format::part::kFirstViewedAt, static_cast<uint16_t>(first_viewed));
+        b.put16(record + format::part::kFirstPlainAt, static_cast<uint16_t>(first_plain));
+    }
+    return b.take();
+}
+
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
@@ -246,7 +323,7 @@ std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts)
 {
-    const VertexOrder order = order_of(parts.views);
+    const VertexOrder order = order_of(shape.mesh, parts.views);
     std::vector<Contents> contents = {{detail::format::kSurfaceSection, surface_section(shape, parts, order.viewed)},
                                       {detail::format::kVertexSection, vertex_section(shape, order)},
                                       {detail::format::kPatchSection, patch_section(shape, order)},
@@ -256,6 +333,8 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
     if (order.viewed != 0) contents.push_back({detail::format::kViewSection, view_section(shape, parts, order)});
     if (shape.mesh.see_through_patches != 0)
         contents.push_back({detail::format::kSeeThroughSection, see_through_section(shape, parts)});
+    if (!shape.mesh.parts.empty())
+        contents.push_back({detail::format::kPartsSection, parts_section(shape.mesh, order)});
     return file_of(contents);
 }
 

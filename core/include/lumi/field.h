@@ -47,6 +47,8 @@ enum class [[nodiscard]] FieldError : uint8_t{
     section_crc,      // verify_field only: a section's bytes are damaged
     see_through,      // open_surface only: see-through parts, which its SurfaceFeatures do not name
     bad_see_through,  // the wrong size, an order that is not known, or a first patch that does not exist
+    parts,            // open_surface only: moving parts, which its SurfaceFeatures do not name
+    bad_parts,        // the wrong size, a number out of range, or a patch that shares vertices with another part
 };
 
 // Returns one short English phrase per error, for logs. Linked only if called.

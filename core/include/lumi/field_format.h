@@ -72,6 +72,8 @@ inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // v
 inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
 // Where there are see-through patches, required: kSeeThroughBytes.
 inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
+// Where parts move, required: 4 + parts × kPartBytes.
+inline constexpr uint32_t kPartsSection = four_cc('S', 'P', 'R', 'T');
 
 // Guided fields ended with version 0.1.0. Their other names stay reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
 inline constexpr uint32_t kGuidedSection = four_cc('G', 'U', 'I', 'D');

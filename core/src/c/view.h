@@ -88,7 +88,7 @@ private:
 using Pixel = LUMI_C_PIXEL;
 
 #ifdef LUMI_C_SEE_THROUGH
-using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::all>;
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | SurfaceFeatures::see_through>;
 #elif defined(LUMI_C_DRAWS_SURFACES)
 using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables>;
 #endif

@@ -14,9 +14,9 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,     kPaletteSection,   kSurfaceSection,
-                                  kVertexSection, kPatchSection,     kColourSection,    kPaletteRgb,
-                                  kViewSection,   kNeighbourSection, kSeeThroughSection};
+constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,     kPaletteSection,    kSurfaceSection,
+                                  kVertexSection, kPatchSection,     kColourSection,     kPaletteRgb,
+                                  kViewSection,   kNeighbourSection, kSeeThroughSection, kPartsSection};
 
 }  // namespace
 
@@ -102,6 +102,10 @@ const char* describe(FieldError error)
             return "the field has see-through parts (section SSEE), which this reader does not draw";
         case FieldError::bad_see_through:
             return "the section of see-through parts is malformed";
+        case FieldError::parts:
+            return "the field has moving parts (section SPRT), which this reader does not draw";
+        case FieldError::bad_parts:
+            return "the section of moving parts is malformed, or parts share vertices";
     }
     return "unknown error";
 }

@@ -13,10 +13,17 @@ using namespace detail::container;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-constexpr uint32_t kSurfaceSections[] = {kSurfaceSection, kVertexSection, kPatchSection,     kColourSection,
-                                         kPaletteRgb,     kViewSection,   kNeighbourSection, kSeeThroughSection};
-constexpr KnownTypes kOpaqueSections = {kSurfaceSections, 7};
-constexpr KnownTypes kSeeThroughSections = {kSurfaceSections, 8};
+// What fields of all kinds may have, between the other two.
+constexpr uint32_t kSurfaceSections[] = {kSeeThroughSection, kSurfaceSection,   kVertexSection,
+                                         kPatchSection,      kColourSection,    kPaletteRgb,
+                                         kViewSection,       kNeighbourSection, kPartsSection};
+
+KnownTypes known_sections(SurfaceFeatures features)
+{
+    const uint32_t glass = has(features, SurfaceFeatures::see_through) ? 1 : 0;
+    const uint32_t parts = has(features, SurfaceFeatures::parts) ? 1 : 0;
+    return {kSurfaceSections + 1 - glass, 7 + glass + parts};
+}
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
@@ -119,57 +126,49 @@ FieldError check_mesh(const SurfaceField& field)
     return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 
-// open_surface for a file that may have `known` sections.
-FieldError open_mesh(const uint8_t* bytes, size_t size, KnownTypes known, SurfaceField& out)
+// Names what a file has that its reader does not know.
+FieldError unknown_feature(const uint8_t* bytes, KnownTypes known)
+{
+    const auto is_missing = [&](uint32_t type) { return !known.has(type) && has_section(bytes, type); };
+    if (is_missing(kSeeThroughSection)) return FieldError::see_through;
+    return is_missing(kPartsSection) ? FieldError::parts : FieldError::unknown_required;
+}
+
+FieldError check_file(const uint8_t* bytes, size_t size, KnownTypes known)
 {
     if (const FieldError error = check_table(bytes, size); error != FieldError::none) return error;
     if (has_section(bytes, kGuidedSection)) return FieldError::guided_field;
     if (has_section(bytes, kLayoutSection)) return FieldError::chord_field;
-    if (const FieldError error = check_sections(bytes, known); error != FieldError::none) return error;
-    Section header{};
-    if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
-    if (header.size != kSurfaceBytes) return FieldError::bad_surface;
-    SurfaceField field;
-    if (const FieldError error = read_surface(bytes + header.offset, field); error != FieldError::none) return error;
-    if (const FieldError error = read_sections(bytes, field); error != FieldError::none) return error;
-    if (const FieldError error = check_mesh(field); error != FieldError::none) return error;
-    out = field;
-    return FieldError::none;
-}
-
-// Parts the see-through patches from the opaque ones.
-FieldError part_patches(const uint8_t* section, SurfaceField& field)
-{
-    const uint32_t first = load_u16(section + see_through::kFirstAt);
-    const uint32_t order = load_u16(section + see_through::kOrderAt);
-    if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
-    field.see_through = section;
-    field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
-    field.patch_count = static_cast<uint16_t>(first);
-    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
+    const FieldError error = check_sections(bytes, known);
+    return error == FieldError::unknown_required ? unknown_feature(bytes, known) : error;
 }
 
 }  // namespace
 
-FieldError detail::open_opaque(const uint8_t* bytes, size_t size, SurfaceField& out)
+FieldError detail::open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures known, SurfaceField& out)
 {
-    const FieldError error = open_mesh(bytes, size, kOpaqueSections, out);
-    const bool is_see_through = error == FieldError::unknown_required && has_section(bytes, kSeeThroughSection);
-    return is_see_through ? FieldError::see_through : error;
+    if (const FieldError error = check_file(bytes, size, known_sections(known)); error != FieldError::none)
+        return error;
+    Section header{};
+    if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
+    if (header.size != kSurfaceBytes) return FieldError::bad_surface;
+    if (const FieldError error = read_surface(bytes + header.offset, out); error != FieldError::none) return error;
+    if (const FieldError error = read_sections(bytes, out); error != FieldError::none) return error;
+    return check_mesh(out);
 }
 
-FieldError detail::open_see_through(const uint8_t* bytes, size_t size, SurfaceField& out)
+FieldError detail::read_see_through(const uint8_t* bytes, SurfaceField& field)
 {
-    SurfaceField field;
-    if (const FieldError error = open_mesh(bytes, size, kSeeThroughSections, field); error != FieldError::none)
-        return error;
-    if (Section section{}; find_section(bytes, kSeeThroughSection, section)) {
-        if (section.size != kSeeThroughBytes) return FieldError::bad_see_through;
-        if (const FieldError error = part_patches(bytes + section.offset, field); error != FieldError::none)
-            return error;
-    }
-    out = field;
-    return FieldError::none;
+    Section section{};
+    if (!find_section(bytes, kSeeThroughSection, section)) return FieldError::none;
+    if (section.size != kSeeThroughBytes) return FieldError::bad_see_through;
+    const uint8_t* const at = bytes + section.offset;
+    const uint32_t first = load_u16(at + see_through::kFirstAt), order = load_u16(at + see_through::kOrderAt);
+    if (order >= kDrawingOrders || first >= field.patch_count) return FieldError::bad_see_through;
+    field.see_through = at;
+    field.see_through_count = static_cast<uint16_t>(field.patch_count - first);
+    field.patch_count = static_cast<uint16_t>(first);
+    return has_fitting_neighbours(field) ? FieldError::none : FieldError::bad_neighbours;
 }
 
 }  // namespace lumi

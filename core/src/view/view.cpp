@@ -18,6 +18,8 @@ const char* describe_field(FieldError error)
             return "no field lies at this address: look at the section in the map file, or flash the field";
         case FieldError::see_through:
             return "the field has see-through parts (section SSEE): build with the header that `lumi embed` wrote";
+        case FieldError::parts:
+            return "the field has moving parts (section SPRT): build with the header that `lumi embed` wrote";
         default:
             return describe(error);
     }

@@ -6,14 +6,20 @@
 
 #include "lumi/detail/aligned_words.h"
 #include "lumi/field.h"
+#include "lumi/fixed.h"
 #include "lumi/surface/format.h"
 
 namespace lumi
 {
 
-// Parts that a field may have besides opaque triangles, and that a firmware draws or not: a mask, the same in every
-// call. What draws the others is not linked.
-enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, all = 3 };
+// What a field may have besides opaque triangles that rest, and that a firmware draws or not: a mask, the same in every
+// call. What draws the others is not linked. `parts` are those that move.
+enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, parts = 4, all = 7 };
+
+constexpr SurfaceFeatures operator|(SurfaceFeatures a, SurfaceFeatures b)
+{
+    return static_cast<SurfaceFeatures>(static_cast<uint8_t>(a) | static_cast<uint8_t>(b));
+}
 
 constexpr bool has(SurfaceFeatures mask, SurfaceFeatures feature)
 {
@@ -33,19 +39,41 @@ struct SurfaceField {
     uint16_t vertex_count = 0, viewed_count = 0;
     uint16_t patch_count = 0, see_through_count = 0;  // see-through patches lie behind the opaque ones
     ColourSpace colour_space = ColourSpace::srgb;
-    uint8_t code_bits = 0;         // of view tables
-    uint8_t longest_edge_q6 = 0;   // radii
+    uint8_t code_bits = 0;        // of view tables
+    uint8_t longest_edge_q6 = 0;  // radii
+    uint8_t part_count = 0;
     uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
     uint32_t radius_bits = 0;
+    const uint8_t* parts = nullptr;  // the records of moving parts, part_count × kPartBytes, or null
 };
+
+// How a part moves, and how far: formats of surface/format.h.
+struct PartMotion {
+    bool slides;
+    Vec3q30 axis;
+    Vec3q20 pivot;
+    int32_t from;
+    uint32_t span;
+};
+// A part's name as the file has it: `bytes` of UTF-8, without a zero behind them.
+struct PartName {
+    const char* text;
+    uint32_t bytes;
+};
+// Return them for a part below part_count.
+PartMotion part_motion(const SurfaceField& field, uint32_t part);
+PartName part_name(const SurfaceField& field, uint32_t part);
 
 }  // namespace lumi
 
 namespace lumi::detail
 {
 
-FieldError open_opaque(const uint8_t* bytes, size_t size, SurfaceField& out);
-FieldError open_see_through(const uint8_t* bytes, size_t size, SurfaceField& out);
+// Opens what fields of all kinds have, and refuses what `known` does not name. The other two read and check what it
+// names, see-through patches first.
+FieldError open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures known, SurfaceField& out);
+FieldError read_see_through(const uint8_t* bytes, SurfaceField& field);
+FieldError read_parts(const uint8_t* bytes, SurfaceField& field);
 
 struct VertexQ14 {
     int32_t x, y, z;
@@ -88,14 +116,18 @@ namespace lumi
 
 // Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
 // over vertices and patches. verify_field() (field.h) checks the CRC of every section. A field with see-through parts
-// is FieldError::see_through where kFeatures does not name them.
+// is FieldError::see_through where kFeatures does not name them, and one with moving parts FieldError::parts.
 template <SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
 FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
+    SurfaceField field;
+    FieldError error = detail::open_mesh(bytes, size, kFeatures, field);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through))
-        return detail::open_see_through(bytes, size, out);
-    else
-        return detail::open_opaque(bytes, size, out);
+        if (error == FieldError::none) error = detail::read_see_through(bytes, field);
+    if constexpr (has(kFeatures, SurfaceFeatures::parts))
+        if (error == FieldError::none) error = detail::read_parts(bytes, field);
+    if (error == FieldError::none) out = field;
+    return error;
 }
 
 }  // namespace lumi

@@ -85,6 +85,32 @@ inline constexpr uint32_t kEntryBytes = 6;
 }  // namespace see_through
 inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteEntries * see_through::kEntryBytes;
 
+// Parts that move: rigid and opaque, each turns about an axis or slides along it. The section holds their number (u16,
+// 1 .. kMaxParts), 0 (u16), and a record for each. The file has the body first, then part after part, in each of three
+// ranges: vertices with view tables, those without, and opaque patches. So a part has the numbers from its own first
+// ones up to those of the next part, and the last part up to the range's end. A part has a patch at least. Its patches
+// have corners among its own vertices and neighbours among its own patches. See-through patches are the body's.
+// At the value 0 vertices are where the file has them.
+inline constexpr uint32_t kMaxParts = 16;
+inline constexpr uint32_t kPartsHeaderBytes = 4;
+inline constexpr uint32_t kPartBytes = 80;
+namespace part
+{
+inline constexpr uint32_t kFirstViewedAt = 0;  // u16, <= kViewedAt's number
+inline constexpr uint32_t kFirstPlainAt = 2;   // u16, from there on up to kVerticesAt's
+inline constexpr uint32_t kFirstPatchAt = 4;   // u16
+inline constexpr uint32_t kMotionAt = 6;       // u8, 0: it turns, 1: it slides
+inline constexpr uint32_t kReservedAt = 7;     // u8, 0
+inline constexpr uint32_t kAxisAt = 8;         // 3 × s32, Q30, of unit length within 2^-12
+inline constexpr uint32_t kPivotAt = 20;       // 3 × s32, Q20, a point of the axis, each within 2 radii; slides: 0
+// s32, the least value, and u32, how far the greatest lies above it. Turns, right-handed about the axis: turns times
+// 2^32, which wrap. Slides: radii, Q20, both ends within 2 radii.
+inline constexpr uint32_t kFromAt = 32;
+inline constexpr uint32_t kSpanAt = 36;
+inline constexpr uint32_t kNameAt = 40;  // UTF-8, not empty, zeros behind it
+inline constexpr uint32_t kNameBytes = 40;
+}  // namespace part
+
 // View tables: colours of nodes, 2^bits each, then a record for each vertex that has a table. In a record the code of
 // node k, which of its colours the node has, is bits k·bits .. (k + 1)·bits - 1 from the lowest bit of byte 0 on.
 // Behind the codes lie kTurnBytes and kGainBytes.

@@ -117,9 +117,10 @@ struct SurfaceDrawing {
         }
 
     private:
-        static constexpr SurfaceFeatures kFeatures = kSeeThrough != 0 ? SurfaceFeatures::all
-                                                     : kViewed != 0   ? SurfaceFeatures::view_tables
-                                                                      : SurfaceFeatures::none;
+        static constexpr SurfaceFeatures kFeatures = kSeeThrough != 0
+                                                         ? SurfaceFeatures::view_tables | SurfaceFeatures::see_through
+                                                     : kViewed != 0 ? SurfaceFeatures::view_tables
+                                                                    : SurfaceFeatures::none;
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
         SurfaceField field_{};
