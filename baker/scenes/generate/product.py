@@ -175,4 +175,14 @@ def files():
     _front(obj, body)
     _back(obj, body)
     _handle(obj, body)
-    return {"product.obj": obj, "product.mtl": MATERIALS, "product_dial.png": dial.texture()}
+    return {"product.obj": obj, "product.mtl": MATERIALS, "product_dial.png": dial.texture(),
+            "clock.json": _clock(body)}
+
+
+def _clock(body):
+    """The same scene with hands that turn, clockwise, from the time that the model shows."""
+    axis = ", ".join("%.9g" % c for c in body.vector((0, 0, -1)))
+    pivot = ", ".join("%.9g" % c for c in body.point((0, 0, DIAL_Z)))
+    hands = ",\n".join('        {"name": "%s", "turn": [%s], "pivot": [%s]}' % (name, axis, pivot)
+                       for name in ("hour_hand", "minute_hand", "second_hand"))
+    return '{\n    "objects": [{"obj": "product.obj"}],\n    "parts": [\n%s\n    ]\n}\n' % hands

@@ -30,14 +30,17 @@ int16_t q12(float v)
 }  // namespace
 
 SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap)
-    : scene_(scene),
+    : lit_(scene),
+      scene_(lit_.of(0)),
       shape_(shape),
       cap_(cap),
-      see_through_(shape.mesh.see_through_patches != 0 ? see_through_materials(scene) : std::vector<bool>()),
-      mesh_(opaque_triangles(shape.mesh, numbers_), Faces::front),
+      see_through_(shape.mesh.see_through_patches != 0 ? see_through_materials(scene_) : std::vector<bool>()),
+      mesh_(triangles_of(shape.mesh, 0, numbers_), Faces::front),
       see_through_mesh_(see_through_triangles(shape.mesh, see_through_numbers_), Faces::front),
-      tracer_(scene)
+      tracer_(scene_)
 {
+    for (uint32_t owner = 1; owner <= shape.mesh.parts.size(); ++owner)
+        parts_.push_back(std::make_unique<PartTracer>(lit_.of(owner), shape.mesh, owner));
 }
 
 std::optional<Ray> SampleTracer::ray(Sampler& sampler) const
@@ -87,6 +90,25 @@ std::optional<SampleTracer::Line> SampleTracer::see_through_line(const Ray& ray,
     return hit ? line_to(ray, *hit) : std::nullopt;
 }
 
+SampleTracer::PartTracer::PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner)
+    : scene(lit), mesh(triangles_of(of, owner, numbers), Faces::front), tracer(lit)
+{
+}
+
+// Begins just before the part: what stands farther off hides it in this pose, and may not in another.
+std::optional<SampleTracer::Line> SampleTracer::line_to_part(Ray ray, const PartTracer& part, Sampler sampler)
+{
+    constexpr float kBefore = 2 * kMaxDepthError;
+    std::optional<Hit> hit = part.mesh.closest(ray);
+    if (!hit) return std::nullopt;
+    const float start = std::max(0.0f, hit->distance - kBefore);
+    ray.origin = ray.origin + ray.direction * start;
+    hit->distance -= start;
+    hit->triangle = part.numbers[hit->triangle];
+    const bool is_there = std::abs(first_meeting(part.scene, ray, sampler) - hit->distance) <= kMaxDepthError;
+    return is_there ? std::optional<Line>({ray, *hit}) : std::nullopt;
+}
+
 uint32_t SampleTracer::texel_of(const Hit& hit) const
 {
     return texel_at(shape_.layout.rectangles[hit.triangle / 2], hit.triangle % 2 != 0, hit.u, hit.v);
@@ -109,12 +131,17 @@ void SampleTracer::trace(uint64_t seed, uint32_t patch, uint32_t texel, uint32_t
                          std::vector<FitSample>& samples) const
 {
     Sampler sampler(seed, patch, 0);
+    const uint32_t owner = shape_.mesh.owner_of(patch);
+    const PartTracer* const part = owner == 0 ? nullptr : parts_[owner - 1].get();
+    const auto line_along = [&](const Ray& ray) {
+        return part == nullptr ? line(ray, sampler) : line_to_part(ray, *part, sampler);
+    };
     for (uint32_t k = 0; k < lines; ++k) {
         sampler.start(texel * lines + k);
         const std::optional<Ray> ray = texel_line(shape_, patch, texel, sampler);
-        const std::optional<Line> l = ray && cap_.sees(*ray) ? line(*ray, sampler) : std::nullopt;
+        const std::optional<Line> l = ray && cap_.sees(*ray) ? line_along(*ray) : std::nullopt;
         if (!l || l->hit.triangle / 2 != patch) continue;
-        const PathResult path = tracer_.trace(l->ray, sampler);
+        const PathResult path = (part == nullptr ? tracer_ : part->tracer).trace(l->ray, sampler);
         if (path.covered) samples.push_back(sample(*l, path));
     }
 }

@@ -5,6 +5,7 @@
 #include "fit/texel_lines.h"
 #include "geometry/view_cap.h"
 #include "mesh/mesh_tracer.h"
+#include "scene/moving_parts.h"
 #include "trace/path_tracer.h"
 
 namespace lumi::baker
@@ -58,6 +59,15 @@ private:
         Ray ray;
         Hit hit;  // its triangle has the mesh's number
     };
+    struct PartTracer {
+        PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner);
+
+        const SceneData& scene;  // the body and this part
+        std::vector<uint32_t> numbers;
+        MeshTracer mesh;
+        PathTracer tracer;
+    };
+    static std::optional<Line> line_to_part(Ray ray, const PartTracer& part, Sampler sampler);
     std::optional<Ray> ray(Sampler& sampler) const;
     std::optional<Line> line(const Ray& ray, Sampler& sampler) const;
     std::optional<Line> line_to_mesh(const Ray& ray) const;
@@ -70,13 +80,15 @@ private:
     uint32_t texel_of(const Hit& hit) const;
     FitSample sample(const Line& line, const PathResult& path) const;
 
-    const SceneData& scene_;
+    const LitScenes lit_;
+    const SceneData& scene_;  // the body
     const FitShape& shape_;
     const ViewCap cap_;
     std::vector<bool> see_through_;                        // by material; empty where the mesh has no such part
     std::vector<uint32_t> numbers_, see_through_numbers_;  // the mesh's triangle for each of an accelerator's
     MeshTracer mesh_, see_through_mesh_;
     PathTracer tracer_;
+    std::vector<std::unique_ptr<PartTracer>> parts_;
 };
 
 struct SortedSamples {

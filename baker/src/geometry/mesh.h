@@ -41,6 +41,25 @@ struct Mesh {
     float area(size_t triangle) const { return 0.5f * length(area_vector(triangle)); }
 };
 
+// The triangles that are wanted, with all of the mesh's positions.
+template <class Wanted>
+Mesh part_of(const Mesh& mesh, const Wanted& wanted)
+{
+    Mesh part;
+    part.positions = mesh.positions;
+    part.normals = mesh.normals;
+    part.uvs = mesh.uvs;
+    part.second_uvs = mesh.second_uvs;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        if (!wanted(t)) continue;
+        part.corners.push_back(mesh.corners[t]);
+        part.shading.push_back(mesh.shading[t]);
+        part.mapping.push_back(mesh.mapping[t]);
+        part.materials.push_back(mesh.materials[t]);
+    }
+    return part;
+}
+
 // Whether two corners are one vertex: then there is no area.
 inline bool is_degenerate(const Mesh::Corners& c)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/patch_mesh.h"
 
+#include <cmath>
+
 #include "geometry/smooth_groups.h"
 #include "lumi/surface/format.h"
 #include "mesh/edge_split.h"
@@ -10,6 +12,7 @@
 #include "mesh/mesh_tracer.h"
 #include "mesh/patch_pairs.h"
 #include "mesh/see_through.h"
+#include "scene/moving_parts.h"
 #include "store/bake_stages.h"
 
 namespace lumi::baker
@@ -146,6 +149,31 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine)
     return result;
 }
 
+uint32_t PatchMesh::owner_of(uint32_t patch) const
+{
+    uint32_t owner = 0;
+    while (owner < parts.size() && parts[owner].first_patch <= patch && patch < opaque_patches()) ++owner;
+    return owner;
+}
+
+Mesh triangles_of(const PatchMesh& mesh, uint32_t owner, std::vector<uint32_t>& numbers)
+{
+    return triangles_of(mesh, mesh.first_patch(owner), mesh.first_patch(owner + 1), numbers);
+}
+
+void append(PatchMesh& mesh, const PatchMesh& other)
+{
+    const auto from = static_cast<uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
+    for (PatchMesh::Patch p : other.patches) {
+        for (uint32_t* corner : {&p.a, &p.b, &p.c, &p.d})
+            if (*corner != PatchMesh::kNone) *corner += from;
+        mesh.patches.push_back(p);
+    }
+    mesh.longest_edge = std::max(mesh.longest_edge, other.longest_edge);
+}
+
 Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
 {
     return triangles_of(mesh, 0, mesh.opaque_patches(), numbers);
@@ -185,7 +213,11 @@ bool fits(const PatchMesh& mesh)
            mesh.patches.size() <= detail::format::kMaxPatches;
 }
 
-BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
+namespace
+{
+
+// The opaque part of a scene in which nothing moves, then its see-through part.
+BuiltMesh standing_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
 {
     constexpr uint32_t kSeeThroughParts = 4, kFewest = 64, kSides = 2;
     const std::unique_ptr<SceneData> opaque = opaque_part(scene);
@@ -203,6 +235,97 @@ BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeS
         if (fits(built.mesh)) return built;
         if (mesh.triangles < kFewest) throw BakeError("the scene's see-through parts are too many for a surface field");
     }
+}
+
+MovingPart part_of(const PartMovement& motion, uint32_t first_patch)
+{
+    constexpr double kTurn = 360;
+    MovingPart part = {motion.name, motion.slides, motion.axis, motion.pivot};
+    part.first_patch = first_patch;
+    if (!motion.is_limited) return part;
+    part.from = motion.slides ? motion.from : motion.from / kTurn;
+    part.to = motion.slides ? motion.to : motion.to / kTurn;
+    return part;
+}
+
+// Puts the patches of parts between the body's opaque and its see-through ones.
+void insert(const std::vector<BuiltMesh>& parts, const MovingParts& moving, BuiltMesh& built)
+{
+    PatchMesh& mesh = built.mesh;
+    const auto opaque = static_cast<ptrdiff_t>(mesh.opaque_patches());
+    const std::vector<PatchMesh::Patch> see_through(mesh.patches.begin() + opaque, mesh.patches.end());
+    mesh.patches.resize(static_cast<size_t>(opaque));
+    for (size_t k = 0; k < parts.size(); ++k) {
+        mesh.parts.push_back(part_of(moving.motions[k], static_cast<uint32_t>(mesh.patches.size())));
+        append(mesh, parts[k].mesh);
+        for (MeshWarning warning : parts[k].warnings) {
+            warning.problem = "of the part '" + moving.motions[k].name + "': " + warning.problem;
+            built.warnings.push_back(warning);
+        }
+    }
+    mesh.patches.insert(mesh.patches.end(), see_through.begin(), see_through.end());
+}
+
+// How many triangles each moving part gets: by the part that it has of all surface, but more of small ones, for they
+// are looked at; no more than it has.
+std::vector<uint32_t> triangles_by_part(const SceneData& scene, uint32_t triangles)
+{
+    constexpr double kPower = 2.0 / 3;
+    constexpr size_t kFewest = 32;
+    std::vector<double> areas(scene.moving.motions.size() + 1);
+    std::vector<size_t> counts(areas.size());
+    for (size_t t = 0; t < scene.mesh.triangle_count(); ++t) {
+        areas[scene.moving.owners[t]] += static_cast<double>(scene.mesh.area(t));
+        counts[scene.moving.owners[t]] += 1;
+    }
+    double sum = 0;
+    for (double& area : areas) sum += area = std::pow(area, kPower);
+    std::vector<uint32_t> result;
+    for (size_t owner = 1; owner < areas.size(); ++owner) {
+        const auto share = static_cast<size_t>(triangles * areas[owner] / sum);
+        result.push_back(static_cast<uint32_t>(std::min(counts[owner], std::max(share, kFewest))));
+    }
+    return result;
+}
+
+// What moves is left out of the body's mesh and alone in its own: so all that any pose shows is there, and no patch
+// and no vertex belongs to two.
+BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
+{
+    constexpr uint32_t kFewest = 64;
+    const ProgressCallback as_whole = [&](const Progress&) {
+        job.finish();  // reports, and leaves where it is cancelled
+        return true;
+    };
+    MeshSettings mesh = settings;
+    for (;; mesh.triangles = mesh.triangles / 4 * 3) {
+        const std::vector<uint32_t> counts = triangles_by_part(scene, mesh.triangles);
+        std::vector<BuiltMesh> parts;
+        MeshSettings body = mesh;
+        for (uint32_t k = 0; k < counts.size(); ++k) {
+            MeshSettings part = mesh;
+            part.triangles = counts[k];
+            const std::unique_ptr<SceneData> alone = only_of(scene, k + 1);
+            Job quiet(mesh_work(*alone, part), job.threads(), as_whole);
+            stages.begin_part(k + 1);
+            parts.push_back(standing_mesh(*alone, part, stages, quiet));
+            body.triangles -= std::min(body.triangles - kFewest, triangle_count(parts[k].mesh));
+        }
+        stages.begin_part(0);
+        BuiltMesh built = standing_mesh(*only_of(scene, 0), body, stages, job);
+        insert(parts, scene.moving, built);
+        if (fits(built.mesh)) return built;
+        if (mesh.triangles < kFewest)
+            throw BakeError("the scene and its moving parts are too much for a surface field");
+    }
+}
+
+}  // namespace
+
+BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
+{
+    return scene.moving.empty() ? standing_mesh(scene, settings, stages, job)
+                                : moving_mesh(scene, settings, stages, job);
 }
 
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings)

@@ -46,6 +46,13 @@ struct PatchMesh {
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 
     uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
+    // Owners are 0, the body, and k of parts[k - 1].
+    uint32_t owner_of(uint32_t patch) const;
+    // The first patch of an owner; of one more than there are, the first that is see-through.
+    uint32_t first_patch(uint32_t owner) const
+    {
+        return owner == 0 ? 0 : owner > parts.size() ? opaque_patches() : parts[owner - 1].first_patch;
+    }
 };
 
 struct BuiltMesh {
@@ -65,6 +72,7 @@ struct MeshSettings {
 PatchMesh assembled(const Mesh& shape, float crease_cosine);
 // The triangles of a part, and their numbers in the field: 2p or 2p + 1 of patch p.
 Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
+Mesh triangles_of(const PatchMesh& mesh, uint32_t owner, std::vector<uint32_t>& numbers);  // opaque ones
 Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add does not depend on the view.
@@ -75,6 +83,9 @@ bool fits(const PatchMesh& mesh);
 
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
+
+// Adds patches of another mesh behind those that there are.
+void append(PatchMesh& mesh, const PatchMesh& other);
 
 // At most kMaxSurfaceVertices vertices and kMaxPatches patches (lumi/surface/format.h); none where nothing can be seen.
 // Opaque parts come first, then see-through ones. Throws BakeError for a scene that no mesh can hold.

@@ -63,25 +63,6 @@ bool is_invisible(const Material& m)
     return m.opacity < kInvisible && !m.emits();
 }
 
-// The triangles whose materials are wanted.
-template <class Wanted>
-Mesh part_of(const Mesh& mesh, const Wanted& wanted)
-{
-    Mesh part;
-    part.positions = mesh.positions;
-    part.normals = mesh.normals;
-    part.uvs = mesh.uvs;
-    part.second_uvs = mesh.second_uvs;
-    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
-        if (!wanted(mesh.materials[k])) continue;
-        part.corners.push_back(mesh.corners[k]);
-        part.shading.push_back(mesh.shading[k]);
-        part.mapping.push_back(mesh.mapping[k]);
-        part.materials.push_back(mesh.materials[k]);
-    }
-    return part;
-}
-
 // A path meets one of the triangles at one place and goes on behind all of them.
 Mesh without_copies(Mesh mesh)
 {
@@ -250,7 +231,8 @@ PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, cons
                            const SeeThroughCount& most, std::vector<MeshWarning>& warnings, Job& job)
 {
     const std::vector<bool> see_through = see_through_materials(scene);
-    const Mesh all = without_copies(welded(part_of(scene.mesh, [&](uint32_t material) {
+    const Mesh all = without_copies(welded(part_of(scene.mesh, [&](size_t t) {
+        const uint32_t material = scene.mesh.materials[t];
         return see_through[material] && !is_invisible(scene.materials[material]);
     })));
     const MeshTracer fronts(all, Faces::front);
@@ -258,21 +240,6 @@ PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, cons
     PatchMesh mesh = split_mesh(few, settings.longest_edge, most.patches, onto(fronts), opaque, settings.cap, job);
     if (fits(mesh)) put_in_drawing_order(mesh, job);
     return mesh;
-}
-
-void append(PatchMesh& mesh, const PatchMesh& part)
-{
-    const auto from = static_cast<uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-    mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
-    for (PatchMesh::Patch p : part.patches) {
-        for (uint32_t* corner : {&p.a, &p.b, &p.c, &p.d})
-            if (*corner != PatchMesh::kNone) *corner += from;
-        mesh.patches.push_back(p);
-    }
-    mesh.see_through_patches = static_cast<uint32_t>(part.patches.size());
-    mesh.is_in_drawing_order = part.is_in_drawing_order;
-    mesh.longest_edge = std::max(mesh.longest_edge, part.longest_edge);
 }
 
 // Makes the loss of opaque parts, of which alone the mesh was judged, that of both parts.
@@ -304,7 +271,7 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
     const auto is_seen_through = [&](uint32_t material) { return see_through[material]; };
     if (!std::any_of(scene.mesh.materials.begin(), scene.mesh.materials.end(), is_seen_through)) return nullptr;
     SceneParts parts;
-    parts.mesh = part_of(scene.mesh, [&](uint32_t material) { return !see_through[material]; });
+    parts.mesh = part_of(scene.mesh, [&](size_t t) { return !see_through[scene.mesh.materials[t]]; });
     parts.materials = scene.materials;
     parts.textures = scene.textures;
     parts.catcher = scene.catcher;
@@ -320,7 +287,10 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
 void add_see_through(const SceneData& scene, const SceneData& opaque, const MeshSettings& settings,
                      const SeeThroughCount& most, BuiltMesh& built, Job& job)
 {
-    append(built.mesh, see_through_mesh(scene, opaque, settings, most, built.warnings, job));
+    const PatchMesh part = see_through_mesh(scene, opaque, settings, most, built.warnings, job);
+    append(built.mesh, part);
+    built.mesh.see_through_patches = static_cast<uint32_t>(part.patches.size());
+    built.mesh.is_in_drawing_order = part.is_in_drawing_order;
     if (fits(built.mesh)) judge(scene, built.mesh, settings.cap, job, built.loss);
 }
 

@@ -14,6 +14,7 @@
 #include "light/fixtures.h"
 #include "lumi/baker/scene.h"
 #include "material/material.h"
+#include "model/part_motion.h"
 #include "volume/affine.h"
 #include "volume/volume.h"
 
@@ -30,6 +31,7 @@ struct Disc {
 struct NamedPart {
     std::string name;
     size_t first = 0, end = 0;
+    std::optional<Affine> frame = std::nullopt;  // of a node: from its axes to those of the scene
 };
 
 // A camera of the file: from its axes (it looks along -z, y up) to those of the scene, with scale or shear if the file
@@ -48,7 +50,9 @@ struct SceneParts {
     std::vector<Material> materials;           // finished
     std::vector<Texture> textures;
     std::vector<Fixture> fixtures;
-    std::vector<NamedPart> named;  // names may come twice
+    std::vector<NamedPart> named;           // names may come twice
+    std::vector<PartOptions> part_options;  // of a scene file
+    MovingParts moving;
     std::vector<SceneView> views;
     std::vector<std::string> notes;  // choices that the file leaves open, a sentence each
     std::optional<Disc> catcher;     // catches shadows, see catcher.h

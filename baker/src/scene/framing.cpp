@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "scene/named_triangles.h"
 #include "util/text_lines.h"
 
 namespace lumi::baker
@@ -14,34 +14,6 @@ namespace
 
 constexpr double kMargin = 0.02;  // the sphere around the part grows by so much: the body's corners stick out by less
 constexpr int kSides = 512;  // the body that is cut along has them; its corners lie within 0.02 of its inscribed sphere
-
-std::vector<bool> triangles_of(const std::string& name, const SceneParts& parts)
-{
-    const Mesh& mesh = parts.mesh;
-    std::vector<bool> chosen(mesh.triangle_count(), false);
-    for (const NamedPart& part : parts.named)
-        if (part.name == name)
-            std::fill(chosen.begin() + static_cast<ptrdiff_t>(part.first),
-                      chosen.begin() + static_cast<ptrdiff_t>(part.end), true);
-    if (std::find(chosen.begin(), chosen.end(), true) != chosen.end()) return chosen;
-    for (size_t t = 0; t < chosen.size(); ++t) chosen[t] = parts.materials[mesh.materials[t]].name == name;
-    return chosen;
-}
-
-std::string names_in(const SceneParts& parts)
-{
-    std::set<std::string> names;
-    for (const NamedPart& part : parts.named)
-        if (part.end > part.first) names.insert(part.name);
-    for (const uint32_t material : parts.mesh.materials) names.insert(parts.materials[material].name);
-    names.erase("");
-    constexpr size_t kMost = 20;
-    std::string text;
-    size_t count = 0;
-    for (const std::string& name : names)
-        if (count++ < kMost) text += (text.empty() ? "" : ", ") + name;
-    return text + (count > kMost ? ", and " + std::to_string(count - kMost) + " more" : "");
-}
 
 BoundingSphere sphere_around(const std::vector<bool>& chosen, const Mesh& mesh)
 {
@@ -201,10 +173,7 @@ void frame_part(const std::filesystem::path& file, const std::string& name, Scen
     const auto fail = [&](const std::string& text) { throw SceneError(at({file.string()}, text)); };
     if (parts.volume || parts.catcher)
         fail("--frame is for triangles alone; give a 'sphere' in the scene file, or leave out the volume or 'catcher'");
-    const std::vector<bool> chosen = triangles_of(name, parts);
-    if (std::find(chosen.begin(), chosen.end(), true) == chosen.end())
-        fail("no object, group, node or material with triangles is named '" + name +
-             "'; choose among: " + names_in(parts));
+    const std::vector<bool> chosen = triangles_named(name, file.string(), parts);
     BoundingSphere sphere = sphere_around(chosen, parts.mesh);
     Cutting cutting(parts.mesh, sphere);
     for (size_t t = 0; t < chosen.size(); ++t) chosen[t] ? cutting.keep(t) : cutting.cut(t);

@@ -85,6 +85,8 @@ void place(const Placement& placement, SceneParts& parts)
         n = size > 0 ? turned(scaled / size, placement.rotation_degrees) : n;
     }
     for (SceneView& view : parts.views) view.to_scene = combined(affine_of(placement), view.to_scene);
+    for (NamedPart& part : parts.named)
+        if (part.frame) part.frame = combined(affine_of(placement), *part.frame);
     if (s.x * s.y * s.z < 0) {
         for (size_t t = 0; t < mesh.triangle_count(); ++t) {
             std::swap(mesh.corners[t][1], mesh.corners[t][2]);

@@ -2,6 +2,7 @@
 #include "lumi/baker/scene.h"
 
 #include "geometry/bounding_sphere.h"
+#include "scene/moving_parts.h"
 #include "scene/scene_data.h"
 #include "scene/scene_fingerprint.h"
 #include "volume/iso_surface.h"
@@ -32,11 +33,13 @@ void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
     }
 }
 
-// Points that the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty.
+// Points that the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty,
+// where moving parts come.
 std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up)
 {
     std::vector<Vec3> points;
     if (parts.volume) points = corners_of(*parts.volume);
+    if (!parts.moving.empty()) points = parts.moving.swept(parts.mesh);
     if (parts.catcher) add_rim(*parts.catcher, up, points);
     return points;
 }
@@ -131,12 +134,6 @@ std::vector<Material> scaled(std::vector<Material> materials, double radius)
     return materials;
 }
 
-Environment exposed(Environment environment, float exposure)
-{
-    environment.scale *= exposure;
-    return environment;
-}
-
 const std::vector<Material>& expose(std::vector<Material>& materials, float exposure)
 {
     for (Material& m : materials) m.emission = m.emission * exposure;
@@ -218,7 +215,25 @@ void add_shell(SceneParts& parts)
     parts.materials = {material};
 }
 
+// Parts that move, in the frame of the unit sphere.
+MovingParts moved_into_sphere(MovingParts moving, const BoundingSphere& sphere, UpAxis up)
+{
+    for (PartMovement& motion : moving.motions) {
+        motion.axis = to_sphere_axes(motion.axis, up);
+        motion.pivot = moved_into_sphere(motion.pivot, sphere, up);
+        if (!motion.slides) continue;
+        for (double* length : {&motion.from, &motion.to, &motion.value}) *length /= sphere.radius;
+    }
+    return moving;
+}
+
 }  // namespace
+
+Environment exposed(Environment environment, float exposure)
+{
+    environment.scale *= exposure;
+    return environment;
+}
 
 Environment constant_environment(float radiance)
 {
@@ -245,6 +260,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
           const BoundingSphere sphere = sphere_of(parts, options.margin, up);
           for (size_t k = 0; k < 3; ++k) centre[k] = sphere.centre[k] + parts.origin[k];
           radius = sphere.radius;
+          moving = moved_into_sphere(std::move(parts.moving), sphere, up);
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),
       materials(scaled(std::move(parts.materials), radius)),
@@ -259,8 +275,8 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
           {options.environment ? options.environment : parts.environment,
            moved_into_sphere(parts.fixtures, centre, radius, up, 1), stated_exposure(parts, options), tone},
           {mesh, materials, textures, accelerator})),
-      lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure),
-             moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure),
+      fixtures(moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure)),
+      lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure), fixtures,
              medium ? kSamplesInMedium : kSamplesOnSurfaces),
       views(moved_into_sphere(parts.views, centre, radius, up))
 {
@@ -272,7 +288,16 @@ Scene build_scene(SceneParts parts, const LoadOptions& options)
     if (options.solid_volume && parts.volume && parts.mesh.corners.empty()) add_shell(parts);
     if (parts.mesh.corners.empty() && !parts.volume)
         throw SceneError("the scene holds no triangles; export at least one face");
-    return Scene(std::make_unique<SceneData>(std::move(parts), options));
+    auto rest = std::make_unique<SceneData>(std::move(parts), options);
+    if (rest->moving.are_at_rest()) return Scene(std::move(rest));
+    return Scene(with_mesh(*rest, rest->moving.posed(rest->mesh)));
+}
+
+std::vector<std::string> Scene::moving_parts() const
+{
+    std::vector<std::string> names;
+    for (const PartMovement& motion : data_->moving.motions) names.push_back(motion.name);
+    return names;
 }
 
 Scene::Scene(std::unique_ptr<const SceneData> data) : data_(std::move(data)) {}

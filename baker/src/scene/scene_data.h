@@ -24,7 +24,8 @@ struct SceneData {
     double radius;
     UpAxis up;
 
-    Mesh mesh;
+    MovingParts moving;
+    Mesh mesh;  // with parts that move in the pose of the files
     std::vector<Material> materials;
     std::vector<Texture> textures;
     ToneCurve tone;
@@ -33,10 +34,13 @@ struct SceneData {
     std::optional<Disc> catcher;
     std::optional<Medium> medium;
     Accelerator accelerator;
-    LightChoice choice;  // its exposure is a factor that the light of `materials` and `lights` already has
+    LightChoice choice;             // its exposure is a factor that the light of `materials` and `lights` already has
+    std::vector<Fixture> fixtures;  // `lights` has them, too
     LightSet lights;
     std::vector<NamedView> views;
 };
+
+Environment exposed(Environment environment, float exposure);
 
 // The parts of a volume without objects get their shell if the options ask for it, unless the volume is solid nowhere.
 // Throws SceneError if the parts hold neither a triangle nor a volume, or what a given sphere does not hold.

@@ -10,6 +10,7 @@
 #include "scene/doubts.h"
 #include "scene/framing.h"
 #include "scene/model_reader.h"
+#include "scene/moving_parts.h"
 #include "scene/placement.h"
 #include "scene/scene_data.h"
 #include "scene/scene_members.h"
@@ -41,6 +42,13 @@ SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonMembers&
     return parts;
 }
 
+constexpr NumberRange kPoses = {-3600, 3600};  // degrees
+
+std::array<double, 3> wide(const Vec3& v)
+{
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 class SceneFileReader
 {
 public:
@@ -63,6 +71,7 @@ public:
         read_lights();
         read_picture();
         read_sphere();
+        read_moving_parts();
         scene_.finish();
         parts_.up = up_;
         return std::move(parts_);
@@ -207,6 +216,42 @@ private:
             BoundingSphere{{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)}, radius};
     }
 
+    void read_moving_parts()
+    {
+        const JsonValue* value = scene_.find("parts");
+        if (!value) return;
+        for (const JsonValue& part : list_of(*value, "parts")) parts_.part_options.push_back(read_part(part));
+    }
+
+    PartOptions read_part(const JsonValue& value) const
+    {
+        JsonMembers members(name_, value, "a part");
+        PartOptions part;
+        part.name = members.text("name");
+        const JsonValue *turn = members.find("turn"), *slide = members.find("slide");
+        if ((turn == nullptr) == (slide == nullptr))
+            members.fail(value, "a part has a 'turn' or a 'slide': the axis, as \"z\" or [0, 0, 1]");
+        part.slides = slide != nullptr;
+        part.axis = axis_of(members, part.slides ? *slide : *turn, part.slides ? "slide" : "turn");
+        if (const JsonValue* pivot = members.find("pivot"))
+            part.pivot = wide(members.vector_of(*pivot, "pivot", kPlace));
+        if (members.find("from") || members.find("to")) {
+            const NumberRange range = part.slides ? kPlace : kPoses;
+            part.range = {members.number_of(members.require("from"), "from", range),
+                          members.number_of(members.require("to"), "to", range)};
+        }
+        members.finish();
+        return part;
+    }
+
+    static std::array<double, 3> axis_of(const JsonMembers& members, const JsonValue& value, const std::string& name)
+    {
+        if (value.kind != JsonValue::Kind::text) return wide(members.vector_of(value, name, kPlace));
+        const std::optional<std::array<double, 3>> axis = axis_named(value.text);
+        if (!axis) members.fail(value, "'" + name + "' must be \"x\", \"y\", \"z\" or three numbers");
+        return *axis;
+    }
+
     const std::filesystem::path& file_;
     std::string name_;
     JsonMembers scene_;
@@ -264,6 +309,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, 
 {
     SceneParts parts = read_parts(file, options, warnings);
     if (!options.frame.empty()) frame_part(file, options.frame, parts);
+    set_moving_parts(file, options.parts, parts);
     const std::array<double, 3> origin = parts.origin;
     Scene scene = build_scene(std::move(parts), options);
     for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));

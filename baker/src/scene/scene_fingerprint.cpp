@@ -39,6 +39,25 @@ void add(Digest& digest, const TextureSlots& slots)
     }
 }
 
+// Nothing where nothing moves: older scenes keep their fingerprints.
+void add(Digest& digest, const MovingParts& moving)
+{
+    const auto& [motions, owners] = moving;
+    if (motions.empty()) return;
+    digest.add(owners);
+    for (const PartMovement& motion : motions) {
+        const auto& [name, slides, axis, pivot, is_limited, from, to, value] = motion;
+        digest.add(name);
+        digest.add(slides);
+        digest.add(axis);
+        digest.add(pivot);
+        digest.add(is_limited);
+        digest.add(from);
+        digest.add(to);
+        digest.add(value);
+    }
+}
+
 // The name does not count: materials are found by number. What finish() makes of the rest does not, either.
 void add(Digest& digest, const Material& material)
 {
@@ -70,11 +89,12 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher, medium,
-                 accelerator, choice, lights, views] = scene;
+    const auto& [centre, radius, up, moving, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher,
+                 medium, accelerator, choice, fixtures, lights, views] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(accelerator);
-    static_cast<void>(choice);  // materials and lights have it
+    static_cast<void>(choice);    // materials and lights have it
+    static_cast<void>(fixtures);  // `lights` has them
     static_cast<void>(views);
     Digest digest;
     digest.add(centre);
@@ -90,6 +110,7 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     for (const Material& material : mesh_is_shell ? std::vector<Material>() : materials) add(digest, material);
     for (const Texture& texture : textures) add(digest, texture);
     lights.add_to(digest);
+    add(digest, moving);
     return digest.value();
 }
 

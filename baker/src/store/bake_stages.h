@@ -57,6 +57,9 @@ public:
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene);
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene, SurfaceSettings settings);
 
+    // What follows is kept for a moving part, or with 0 for the body.
+    void begin_part(uint32_t owner) { owner_ = owner; }
+
     // Returns what make() returns, or what was kept of it under the same name and settings (numbers, or structs of
     // nothing but numbers of one size). byte_stream.h says how a result becomes bytes.
     template <class Result, class Make, class... Settings>
@@ -64,6 +67,7 @@ public:
     {
         Digest digest = scene_;
         digest.add(std::string(name));
+        digest.add(owner_);
         (digest.add(settings), ...);
         const Digest::Value key = digest.value();
         if (std::vector<uint8_t> bytes; file_.find(key, bytes))
@@ -79,6 +83,7 @@ public:
 private:
     StageFile file_;
     Digest scene_;
+    uint32_t owner_ = 0;
 };
 
 }  // namespace lumi::baker

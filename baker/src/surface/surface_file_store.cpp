@@ -51,14 +51,24 @@ void fields(Io& io, PatchMesh::Patch& patch)
     io(patch.a, patch.b, patch.c, patch.d);
 }
 template <class Io>
+void fields(Io& io, MovingPart& part)
+{
+    std::vector<char> name(part.name.begin(), part.name.end());
+    io(name, part.slides, part.axis, part.pivot, part.from, part.to, part.first_patch);
+    part.name.assign(name.begin(), name.end());
+}
+template <class Io>
 void fields(Io& io, PatchMesh& mesh)
 {
     io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches,
-       mesh.is_in_drawing_order);
+       mesh.is_in_drawing_order, mesh.parts);
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size() &&
-               mesh.is_in_drawing_order <= 1);
+               mesh.is_in_drawing_order <= 1 && mesh.parts.size() <= kMostMovingParts);
+    for (uint32_t k = 0; k < mesh.parts.size(); ++k)
+        io.require(mesh.first_patch(k) <= mesh.parts[k].first_patch &&
+                   mesh.parts[k].first_patch <= mesh.opaque_patches());
     for (const PatchMesh::Patch& p : mesh.patches)
         io.require(std::max({p.a, p.b, p.c}) < vertices && (p.d < vertices || p.d == PatchMesh::kNone));
 }

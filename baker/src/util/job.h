@@ -35,6 +35,7 @@ public:
         rays_saved_ += saved;
     }
     bool stopping() const { return stop_; }
+    unsigned threads() const { return threads_; }
 
     // Where a part of the work that is left ends, in rays.
     uint64_t part_of_rest(double share) const;

@@ -77,8 +77,9 @@ TEST_CASE("framing: a ground ends in a disc where the sphere cuts it, with its o
 
 TEST_CASE("framing: a name that nothing has is refused with those that there are")
 {
-    CHECK_THROWS_WITH(framed("Small"), Catch::Contains("s.obj: ") && Catch::Contains("'Small'; choose among: far, "
-                                                                                     "grey, ground, red, small"));
+    CHECK_THROWS_WITH(framed("Small"),
+                      Catch::Contains("s.obj: ") && Catch::Contains("'Small' (did you mean small?); choose among: far, "
+                                                                    "grey, ground, red, small"));
 }
 
 TEST_CASE("framing: a group ends at the next group or object, and a file of scenes keeps the names of its models")

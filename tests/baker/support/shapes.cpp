@@ -100,6 +100,12 @@ void SceneMaker::triangle(uint32_t material, const Vec3& a, const Vec3& b, const
     m.shading.push_back({kNoIndex, kNoIndex, kNoIndex});
     m.mapping.push_back({kNoIndex, kNoIndex, kNoIndex});
     m.materials.push_back(material);
+    parts_.moving.owners.push_back(static_cast<uint8_t>(parts_.moving.motions.size()));
+}
+
+void SceneMaker::begin_part(const PartMovement& movement)
+{
+    parts_.moving.motions.push_back(movement);
 }
 
 void SceneMaker::quad(uint32_t material, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)

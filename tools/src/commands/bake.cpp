@@ -132,14 +132,19 @@ private:
     // Nothing where a chord field does the scene more justice and the user did not decide.
     std::optional<baker::SurfacePlan> surface_plan(const baker::Scene& scene)
     {
+        const bool has_parts = !scene.moving_parts().empty();
+        if (options_.layout == Layout::chord && has_parts)
+            throw Failure(options_.scene.path, "a chord field has no parts that move",
+                          "bake a surface field (--layout surface), or leave out the parts");
         if (options_.layout == Layout::chord) return std::nullopt;
         if (options_.restart) baker::discard_stages(output_.target);
         baker::SurfacePlan plan = in_step(BakeStep::planning, [&](const baker::ProgressCallback& progress) {
             return baker::plan_surface(scene, options_.surface, options_.limits, progress, output_.target);
         });
-        const bool takes = plan.mesh && (plan.against.empty() || options_.layout == Layout::surface);
+        const bool is_asked_for = has_parts || options_.layout == Layout::surface;
+        const bool takes = plan.mesh && (plan.against.empty() || is_asked_for);
         if (!takes) baker::discard_stages(output_.target);
-        if (!takes && options_.layout == Layout::surface) throw baker::BakeError(plan.against);
+        if (!takes && is_asked_for) throw baker::BakeError(plan.against);
         // Where neither layout fits, the smaller of both sizes is the one to name.
         if (!takes && options_.fit.wanted()) planned_chord(options_);
         warnings_ += tell_plan(plan, options_, takes);

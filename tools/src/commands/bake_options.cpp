@@ -4,6 +4,7 @@
 #include <array>
 
 #include "commands/camera_options.h"
+#include "commands/part_options.h"
 #include "files/output_file.h"
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
@@ -262,6 +263,7 @@ uint64_t FitOptions::ram_bytes() const
 void add_bake_options(CLI::App& command, BakeOptions& options)
 {
     add_scene_options(command, options.scene);
+    add_part_option(command, options.scene.parts, PartPose::none);
     add_field_options(command, options);
     add_surface_options(command, options.surface);
     add_chord_options(command, options);

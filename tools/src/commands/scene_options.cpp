@@ -139,6 +139,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.colours = options.colours;
     load.frame = options.frame;
     load.animation = options.animation;
+    load.parts = options.parts;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

@@ -21,6 +21,7 @@ struct SceneOptions {
     std::string frame;  // may be empty, see baker::LoadOptions
     std::optional<float> iso;
     double pieces = baker::IsoSurface{}.pieces;
+    std::vector<baker::PartOptions> parts;
     bool solid_volume = false;  // for surface fields, see baker::LoadOptions
     unsigned threads = 0;
 };

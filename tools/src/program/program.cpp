@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "lumi/baker/file_guard.h"
+#include "lumi/host/nearest_word.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -30,38 +31,6 @@ namespace
 {
 
 // These say what a program answers to a call that it does not understand, and print its help.
-
-// Wagner and Fischer's table; letters that changed places are one edit, as Damerau counts them.
-size_t edits_between(const std::string& a, const std::string& b)
-{
-    std::vector<std::vector<size_t>> edits(a.size() + 1, std::vector<size_t>(b.size() + 1));
-    for (size_t i = 0; i <= a.size(); ++i) {
-        for (size_t j = 0; j <= b.size(); ++j) {
-            size_t& least = edits[i][j] = std::max(i, j);
-            if (i == 0 || j == 0) continue;
-            const size_t exchanged = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-            least = std::min({exchanged, edits[i][j - 1] + 1, edits[i - 1][j] + 1});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                least = std::min(least, edits[i - 2][j - 2] + 1);
-        }
-    }
-    return edits.back().back();
-}
-
-// Finds the word that fewest edits of a letter lead to (put in, left out, exchanged, or two that changed places): at
-// most one for three letters, though one is always allowed. Empty if none is that near; the first of several.
-std::string nearest_word(const std::string& typed, const std::vector<std::string>& words)
-{
-    constexpr size_t kLettersPerEdit = 3;
-    size_t least = std::max<size_t>(1, typed.size() / kLettersPerEdit) + 1;
-    std::string nearest;
-    for (const std::string& word : words)
-        if (const size_t edits = edits_between(typed, word); edits < least) {
-            least = edits;
-            nearest = word;
-        }
-    return nearest;
-}
 
 std::vector<std::string> names_of(const std::vector<const CLI::App*>& commands)
 {
@@ -81,16 +50,9 @@ std::vector<std::string> options_of(const CLI::App& app)
     return names;
 }
 
-// " (did you mean --orbit?)" where one of the words is near.
-std::string meant(const std::string& typed, const std::vector<std::string>& words)
-{
-    const std::string nearest = nearest_word(typed, words);
-    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
-}
-
 std::string no_subcommand(const CLI::App& app, const std::string& name)
 {
-    return "there is no subcommand \"" + name + "\"" + meant(name, names_of(app.get_subcommands(nullptr)));
+    return "there is no subcommand \"" + name + "\"" + host::meant(name, names_of(app.get_subcommands(nullptr)));
 }
 
 // Says what is wrong, and for a mistyped command or option which one may be meant.
@@ -98,7 +60,7 @@ std::string problem_of(const CLI::App& app, const CLI::ParseError& error)
 {
     const auto rest = app.remaining(true);
     const std::string first = rest.empty() ? "" : rest.front();
-    if (!first.empty() && first[0] == '-') return "there is no option " + first + meant(first, options_of(app));
+    if (!first.empty() && first[0] == '-') return "there is no option " + first + host::meant(first, options_of(app));
     if (!first.empty() && app.get_subcommands().empty()) return no_subcommand(app, first);
     return parse_problem(error);
 }

@@ -78,6 +78,19 @@ struct AnimationTime {
 // Reads "NAME@SECONDS", or "NAME" for its begin. Nothing where the seconds are no number.
 std::optional<AnimationTime> animation_time(const std::string& text);
 
+// A piece of the scene that turns about an axis, or slides along it, as the hand of a clock does.
+struct PartOptions {
+    std::string name;                                           // all objects, groups or nodes, or else a material
+    std::optional<std::array<double, 3>> axis = std::nullopt;   // of the node's own frame; without one, of the scene's
+    std::optional<std::array<double, 3>> pivot = std::nullopt;  // scene units and axes; of a node, its origin
+    std::optional<std::array<double, 2>> range = std::nullopt;  // of poses, least first: degrees, or scene units
+    bool slides = false;
+    double value = 0;  // of the pose that is traced: degrees, right-handed, or scene units; 0 is that of the files
+};
+
+// Reads "x", "y", "z", or "-x" and the like. Nothing for other words.
+std::optional<std::array<double, 3>> axis_named(const std::string& word);
+
 // Options that are left open here are as the scene file says, or else the default.
 struct LoadOptions {
     std::optional<UpAxis> up = std::nullopt;  // y
@@ -94,7 +107,9 @@ struct LoadOptions {
     // Empty: the sphere holds all of the scene.
     std::string frame;
     std::optional<AnimationTime> animation = std::nullopt;  // only for glTF; at rest
-    std::optional<IsoSurface> iso = std::nullopt;           // only for a volume
+    // One that a scene file has, too, needs no axis: it gives the pose.
+    std::vector<PartOptions> parts = {};
+    std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
 };
@@ -121,6 +136,7 @@ public:
     const std::vector<std::string>& notes() const;
     // In the order of the file. Names may come twice or be empty.
     const std::vector<NamedView>& views() const;
+    std::vector<std::string> moving_parts() const;  // names
     bool mesh_is_shell() const;  // a volume without objects got its mesh by LoadOptions::solid_volume
 
     // A hash of all that decides light paths: the same files and options give the same value on every machine and in

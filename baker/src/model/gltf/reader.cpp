@@ -62,7 +62,7 @@ private:
             }
             seen[static_cast<size_t>(next.node)] = true;
             const Affine& place = places_[static_cast<size_t>(next.node)];
-            const int32_t part = begin_part(node, next.part);
+            const int32_t part = begin_part(node, place, next.part);
             if (node.mesh != kNoIndex) meshes_.add(node, place);
             parts_.named.back().end = parts_.mesh.triangle_count();
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
@@ -73,10 +73,10 @@ private:
         }
     }
 
-    int32_t begin_part(const GltfNode& node, int32_t parent)
+    int32_t begin_part(const GltfNode& node, const Affine& place, int32_t parent)
     {
         const size_t triangles = parts_.mesh.triangle_count();
-        parts_.named.push_back({node.name, triangles, triangles});
+        parts_.named.push_back({node.name, triangles, triangles, place});
         parents_.push_back(parent);
         return static_cast<int32_t>(parts_.named.size() - 1);
     }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The parts of a scene that move: which triangles they are, and the scenes that light them.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "scene/scene_data.h"
+
+namespace lumi::baker
+{
+
+// Makes pieces of a scene its moving parts: those of a scene file, and those of the caller, whose pose counts where
+// both name one. `file` serves messages. Throws SceneError for what cannot move.
+void set_moving_parts(const std::filesystem::path& file, const std::vector<PartOptions>& options, SceneParts& parts);
+
+// A scene with other triangles, in the same light and the same sphere; none of them moves.
+std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh);
+// Only the triangles of one owner: 0 of the body, k of the k-th part.
+std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner);
+
+// What lights a surface field's triangles, by owner: the body stands alone, and each part with the body. So no part
+// casts a shadow that would stay where it is. Where nothing moves, it is the scene.
+class LitScenes
+{
+public:
+    explicit LitScenes(const SceneData& scene);  // borrows it
+    const SceneData& of(uint32_t owner) const { return parts_.empty() ? scene_ : *parts_[owner]; }
+    uint32_t owners() const { return static_cast<uint32_t>(scene_.moving.motions.size()) + 1; }
+
+private:
+    const SceneData& scene_;
+    std::vector<std::unique_ptr<SceneData>> parts_;
+};
+
+}  // namespace lumi::baker
