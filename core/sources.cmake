@@ -38,6 +38,7 @@ set(LUMI_CORE_SOURCES
   src/surface/wide.cpp
   src/surface/outlines.cpp
   src/surface/part_records.cpp
+  src/surface/parts.cpp
   src/surface/pieces.cpp
   src/surface/projection.cpp
   src/surface/armv6m/rows.S
@@ -60,4 +61,5 @@ set(LUMI_C_SOURCES
   src/c/over_colour.cpp
   src/c/over_nothing.cpp
   src/c/over_stripe.cpp
+  src/c/parts.cpp
   src/c/quality.cpp)

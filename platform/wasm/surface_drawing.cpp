@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mode is a SurfaceMode.
 #include "drawing.h"
+#include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
 
 namespace lumi::wasm
@@ -30,15 +31,15 @@ uint32_t drawing_modes()
 namespace
 {
 
-// Without padding: vertices and see-through parts are words, links and bands half words, samples words again.
+// Without padding: vertices and the memory of features are words, links and bands half words, samples words again.
 struct Layout {
-    uint32_t see_through, links, bands, samples;
+    uint32_t features, links, bands, samples;
 
     explicit Layout(int32_t height_px)
     {
         constexpr uint32_t kHalf = sizeof(uint16_t), kWord = sizeof(uint32_t);
-        see_through = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
-        links = see_through + see_through_words(field.see_through_count) * kWord;
+        features = field.vertex_count * static_cast<uint32_t>(sizeof(SurfaceVertex));
+        links = features + feature_words(field) * kWord;
         bands = links + surface_links(field.patch_count) * kHalf;
         const uint32_t end = bands + surface_bands(height_px, kBandLog2) * kHalf;
         samples = (end + kWord - 1) / kWord * kWord;
@@ -68,7 +69,8 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
     const SurfaceMemory borrowed = {reinterpret_cast<SurfaceVertex*>(memory),
                                     reinterpret_cast<uint16_t*>(memory + layout.links),
                                     reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2,
-                                    reinterpret_cast<uint32_t*>(memory + layout.see_through)};
+                                    reinterpret_cast<uint32_t*>(memory + layout.features)};
+    detail::rest_parts(field, borrowed);
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(

@@ -33,6 +33,7 @@ set(LUMI_CORE_TEST_SOURCES
   surface/halves_test.cpp
   surface/halves_threads_test.cpp
   surface/part_records_test.cpp
+  surface/parts_test.cpp
   surface/planes_test.cpp
   surface/render_test.cpp
   surface/see_through_test.cpp
@@ -43,6 +44,7 @@ set(LUMI_CORE_TEST_SOURCES
   c/control_test.cpp
   c/frames_test.cpp
   c/memory_test.cpp
+  c/parts_test.cpp
   control/gesture_test.cpp
   control/quality_test.cpp
   pixel/pack_test.cpp

@@ -102,7 +102,7 @@ SurfaceMemory memory_of(const SurfaceField& field, int32_t height_px, uint32_t b
     return {reinterpret_cast<SurfaceVertex*>(vertex_memory.of(field.vertex_count * uint32_t{sizeof(SurfaceVertex)})),
             reinterpret_cast<uint16_t*>(link_memory.of(2 * surface_links(field.patch_count))),
             reinterpret_cast<uint16_t*>(band_memory.of(2 * surface_bands(height_px, band_log2))), band_log2,
-            reinterpret_cast<uint32_t*>(see_through_memory.of(4 * see_through_words(field.see_through_count)))};
+            reinterpret_cast<uint32_t*>(see_through_memory.of(4 * feature_words(field)))};
 }
 
 struct Size {

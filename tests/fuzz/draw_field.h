@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "lumi/chord/render_spans.h"
+#include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
 
 namespace lumi::fuzz
@@ -85,10 +86,16 @@ inline void draw_surface(const SurfaceField& field, const Scene& s)
     const std::unique_ptr<SurfaceVertex[]> vertices(new SurfaceVertex[field.vertex_count]);
     const std::unique_ptr<uint16_t[]> links(new uint16_t[surface_links(field.patch_count)]);
     const std::unique_ptr<uint16_t[]> bands(new uint16_t[surface_bands(s.image.height_px, band_log2)]);
-    const std::unique_ptr<uint32_t[]> see_through(new uint32_t[see_through_words(field.see_through_count)]);
+    const std::unique_ptr<uint32_t[]> features(new uint32_t[feature_words(field)]());
     SurfaceFrame frame;
-    const SurfaceMemory memory = {vertices.get(), links.get(), bands.get(), band_log2, see_through.get()};
+    const SurfaceMemory memory = {vertices.get(), links.get(), bands.get(), band_log2, features.get()};
     prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
+    for (uint32_t part = 0; part < field.part_count; ++part) {
+        const uint32_t value = s.choice * (2 * part + 1) << 8;
+        if (!turn_part(field, memory, part, value)) slide_part(field, memory, part, static_cast<int32_t>(value));
+    }
+    if (field.part_count != 0)
+        prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
     Canvas canvas(s, PixelRgb565::kBytes);
     const std::unique_ptr<uint32_t[]> samples(new uint32_t[(surface_stripe_bytes(s.width, s.height, mode) + 3) / 4]);
     render_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, OverColour{{1, 2, 3}},

@@ -11,6 +11,7 @@
 
 #include "chord/extreme_chords.h"
 #include "surface/extreme_surfaces.h"
+#include "surface/parts_bytes.h"
 
 namespace
 {
@@ -77,6 +78,12 @@ void write_fields(const std::filesystem::path& folder)
         }
     }
     write_seeds(folder, "ball", test::surface_file(small_ball()));
+    const auto turns = [](uint32_t span) {
+        return test::TestPart{test::placed(test::ball(1, 6), 0.3, {0.4, 0, 0}), "p", false, {0, 0, 1}, {}, 0, span};
+    };
+    test::TestPart slides = turns(1 << 20);
+    slides.slides = true;
+    write_seeds(folder, "parts", test::mover_file(test::mover(test::ball(1, 3), {turns(UINT32_MAX), slides}, 2)));
     write_seeds(folder, "sheet", test::surface_file(test::wavy_sheet()));
     write_extremes(folder);
 }

@@ -14,6 +14,7 @@
  *     LUMI_C_TEXEL        policies of chord/texel.h, with commas between: chord fields of these formats
  *     LUMI_C_SURFACE      surface fields, also without this macro if LUMI_C_TEXEL is not defined
  *     LUMI_C_SEE_THROUGH  the same, and they may have see-through parts
+ *     LUMI_C_PARTS        the same, and they may have moving parts
  *
  * Where both kinds of fields are drawn, each view takes that of its field. Calls that a program does not make are not
  * linked (-ffunction-sections and --gc-sections).
@@ -99,6 +100,8 @@ typedef struct lumi_view lumi_view;
     (LUMI_MEMORY(vertices, patches, width, height, rows) + 18 * (size_t)(width) * (size_t)(rows))
 /* To be added to either for a field with see-through patches, which are not among its patches. */
 #define LUMI_SEE_THROUGH_MEMORY(see_through_patches) (2048 + 8 * (size_t)(see_through_patches))
+/* To be added for a field with moving parts. */
+#define LUMI_PARTS_MEMORY(parts) (160 * (size_t)(parts))
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);
@@ -135,6 +138,20 @@ typedef struct {
 
 /* Where the object is in this frame: beside it, every pixel is background. Empty before a look. */
 lumi_rect lumi_bounds(const lumi_view* view);
+
+/* Turns or slides a moving part of a surface field from the next look on, right-handed about its axis, or along it in
+ * radii times 2^20. `lumi embed` names the parts. Values beyond the part's range are its nearer end. bad_argument: no
+ * such part, or one that moves in the other way. */
+lumi_error lumi_turn(lumi_view* view, uint32_t part, uint32_t turns32);
+lumi_error lumi_slide(lumi_view* view, uint32_t part, int32_t offset_q20);
+
+/* Tells the rectangles beside which the last look changed no pixel. Their sides are multiples of `align` as far as the
+ * image reaches. At the first look, and without LUMI_C_PARTS, it is the image. Nothing without a view or a look. */
+typedef struct {
+    lumi_rect rect[4];
+    uint32_t count;
+} lumi_changes;
+lumi_changes lumi_changed(const lumi_view* view, uint32_t align_x, uint32_t align_y);
 
 /* Draws every pixel of the stripe over LUMI_C_BACKGROUND; where it lies beside the image, background. */
 lumi_error lumi_draw(lumi_view* view, lumi_stripe stripe);

@@ -32,6 +32,13 @@ struct PixelRect {
     int32_t x_px, y_px, width_px, height_px;
 };
 
+// Beside these rectangles a frame has the same pixels as the one before.
+struct ChangedRects {
+    static constexpr uint32_t kMost = 4;
+    PixelRect rect[kMost];
+    uint32_t count;
+};
+
 // Returns where a pixel of the stripe lies in memory.
 template <class Pixel>
 uint8_t* pixel_of(const Stripe& stripe, int32_t x, int32_t y)

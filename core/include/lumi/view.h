@@ -194,6 +194,27 @@ public:
     // sphere's outline in every scanline.
     PixelRect bounds() const { return has_look_ ? state_.bounds() : PixelRect{0, 0, 0, 0}; }
 
+    // Turns or slides a moving part of a surface field (surface/parts.h) from the next look() on: to an angle,
+    // right-handed about its axis, or to an offset along it in radii. `lumi embed` names the parts. Values beyond the
+    // part's range are its nearer end. bad_argument: no such part, or one that moves in the other way.
+    ViewError turn(uint32_t part, uint32_t turns32)
+    {
+        return bytes_ == nullptr ? ViewError::no_field : state_.turn(part, turns32);
+    }
+    ViewError slide(uint32_t part, int32_t offset_q20)
+    {
+        return bytes_ == nullptr ? ViewError::no_field : state_.slide(part, offset_q20);
+    }
+
+    // Tells at most four rectangles beside which the last look() changed no pixel. Their sides are multiples of `align`
+    // as far as the image reaches. Only parts have moved: each rectangle is about them; else it is where either frame
+    // shows anything, and at the first look the image.
+    auto changed(uint32_t align_x = 1, uint32_t align_y = 1) const
+    {
+        using Changed = decltype(state_.changed(align_x, align_y));
+        return has_look_ ? state_.changed(align_x, align_y) : Changed{};
+    }
+
     // Draws every pixel of the stripe over black, or over another background (background.h), which also fills what of
     // the stripe lies beside the image.
     ViewError draw(const Stripe& stripe) { return draw(stripe, OverBlack{}); }

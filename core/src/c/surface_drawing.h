@@ -31,7 +31,8 @@ public:
         field_ = field;
         memory_ = {static_cast<SurfaceVertex*>(at(0)), static_cast<uint16_t*>(at(p.links)),
                    static_cast<uint16_t*>(at(p.bands)), surface_band_log2(screen.rows_px),
-                   static_cast<uint32_t*>(at(p.see_through))};
+                   static_cast<uint32_t*>(at(p.features))};
+        if constexpr (kMoves) rest_parts(field_, memory_);
         samples_ = static_cast<uint32_t*>(at(p.samples));
         samples_bytes_ = samples_bytes(screen);
         finest_ = static_cast<SurfaceMode>(screen.mode);
@@ -50,6 +51,20 @@ public:
 
     PixelRect bounds() const { return bounds_of(frame_); }
 
+    ViewError turn(uint32_t part, uint32_t turns32)
+    {
+        if constexpr (!kMoves) return ViewError::other_renderer;
+        return turn_part(field_, memory_, part, turns32) ? ViewError::none : ViewError::bad_argument;
+    }
+
+    ViewError slide(uint32_t part, int32_t offset_q20)
+    {
+        if constexpr (!kMoves) return ViewError::other_renderer;
+        return slide_part(field_, memory_, part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+    }
+
+    ChangedRects changed(uint32_t align_x, uint32_t align_y) const { return changed_rects(frame_, align_x, align_y); }
+
     template <class Background>
     ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t*) const
     {
@@ -67,9 +82,11 @@ public:
     }
 
 private:
-    // Parts lie in this order, vertices first.
+    static constexpr bool kMoves = has(kFeatures, SurfaceFeatures::parts);
+
+    // All lies in this order, vertices first.
     struct Places {
-        size_t samples, see_through, links, bands, end;
+        size_t samples, features, links, bands, end;
     };
 
     static constexpr bool is_mode(uint8_t number) { return number <= LUMI_TWO_BY_TWO; }
@@ -87,8 +104,8 @@ private:
     {
         Places p{};
         p.samples = field.vertex_count * sizeof(SurfaceVertex);
-        p.see_through = p.samples + samples_bytes(s);
-        p.links = p.see_through + see_through_words(field.see_through_count) * sizeof(uint32_t);
+        p.features = p.samples + samples_bytes(s);
+        p.links = p.features + feature_words(field) * sizeof(uint32_t);
         p.bands = p.links + surface_links(field.patch_count) * sizeof(uint16_t);
         p.end = p.bands + surface_bands(s.height_px, surface_band_log2(s.rows_px)) * sizeof(uint16_t);
         return p;

@@ -7,7 +7,7 @@
 #include "lumi/view.h"
 #include "types.h"
 
-#if defined(LUMI_C_SURFACE) || defined(LUMI_C_SEE_THROUGH) || !defined(LUMI_C_TEXEL)
+#if defined(LUMI_C_SURFACE) || defined(LUMI_C_SEE_THROUGH) || defined(LUMI_C_PARTS) || !defined(LUMI_C_TEXEL)
 #define LUMI_C_DRAWS_SURFACES
 #include "surface_drawing.h"
 #endif
@@ -66,6 +66,21 @@ public:
 
     PixelRect bounds() const { return is_chord_ ? chord_.bounds() : surface_.bounds(); }
 
+    ViewError turn(uint32_t part, uint32_t turns32)
+    {
+        return is_chord_ ? ViewError::other_renderer : surface_.turn(part, turns32);
+    }
+
+    ViewError slide(uint32_t part, int32_t offset_q20)
+    {
+        return is_chord_ ? ViewError::other_renderer : surface_.slide(part, offset_q20);
+    }
+
+    ChangedRects changed(uint32_t align_x, uint32_t align_y) const
+    {
+        return is_chord_ ? ChangedRects{} : surface_.changed(align_x, align_y);
+    }
+
     template <class Background>
     ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t*) const
     {
@@ -88,9 +103,17 @@ private:
 using Pixel = LUMI_C_PIXEL;
 
 #ifdef LUMI_C_SEE_THROUGH
-using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | SurfaceFeatures::see_through>;
+inline constexpr SurfaceFeatures kSeeThrough = SurfaceFeatures::see_through;
 #elif defined(LUMI_C_DRAWS_SURFACES)
-using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables>;
+inline constexpr SurfaceFeatures kSeeThrough = SurfaceFeatures::none;
+#endif
+#ifdef LUMI_C_PARTS
+inline constexpr SurfaceFeatures kParts = SurfaceFeatures::parts;
+#elif defined(LUMI_C_DRAWS_SURFACES)
+inline constexpr SurfaceFeatures kParts = SurfaceFeatures::none;
+#endif
+#ifdef LUMI_C_DRAWS_SURFACES
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | kSeeThrough | kParts>;
 #endif
 #ifdef LUMI_C_TEXEL
 using Chords = ChordDrawingInC<Pixel, LUMI_C_TEXEL>;

@@ -130,10 +130,9 @@ void begin_wide(TrianglePiece& piece, int32_t long_step_q16, int32_t frame_row);
 // Makes the piece the next part, after rows have been drawn; false after the last, and then it is not wide any more.
 LUMI_HOT bool next_part_of_wide(TrianglePiece& piece);
 
-void begin_parts(Parts& parts, const SurfaceFrame& frame, uint32_t triangle);
-// Sets `corner`, and the parts' vertices that it names, to the next part that can be drawn as a whole; false after the
-// last.
-bool next_part(Parts& parts, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3]);
+void begin_cut(CutTriangle& cut, const SurfaceFrame& frame, uint32_t triangle);
+// Sets `corner`, and the vertices that it names, to the next piece that can be drawn as a whole; false after the last.
+bool next_cut(CutTriangle& cut, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3]);
 
 // Begins a triangle that is drawn as a whole; false if none of it shows.
 LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& frame, uint32_t triangle,
@@ -158,15 +157,15 @@ LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& fr
                           texture_of(patch, frame.field), target);
 }
 
-// Begins the next part of a triangle that begin_parts() began; false after the last.
-inline bool begin_part(TrianglePiece& piece, const SurfaceFrame& frame, Parts& parts, const Target& target)
+// Begins the next piece of a triangle that begin_cut() began; false after the last.
+inline bool begin_piece(TrianglePiece& piece, const SurfaceFrame& frame, CutTriangle& cut, const Target& target)
 {
     Corner corner[3];
-    while (next_part(parts, frame, target, corner)) {
+    while (next_cut(cut, frame, target, corner)) {
         TriangleSize size;
         Extent columns;
         if (set_size(size, columns, {corner[0].at, corner[1].at, corner[2].at}, target) &&
-            begin_triangle(piece, corner, size, parts.texture, target))
+            begin_triangle(piece, corner, size, cut.texture, target))
             return true;
     }
     return false;

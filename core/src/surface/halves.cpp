@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/surface/halves.h"
 
-#include "surface/lists.h"
-#include "surface/preparing.h"
+#include "surface/moving.h"
 
 namespace lumi::detail
 {
@@ -29,18 +28,17 @@ PlaceRange joined(const PlaceRange& a, const PlaceRange& b)
     return {a.least < b.least ? a.least : b.least, a.most > b.most ? a.most : b.most};
 }
 
-void place_vertices(SurfaceHalves& halves, uint32_t half)
+void place_half(SurfaceHalves& halves, uint32_t half)
 {
     const SurfaceFrame& frame = *halves.frame;
     const uint32_t count = frame.field.vertex_count, middle = count / 2;
     halves.placed[half] = half == 0 ? put_vertices(frame, 0, middle) : put_vertices(frame, middle, count);
 }
 
-void list_triangles(SurfaceHalves& halves, uint32_t half)
+LUMI_ALWAYS_INLINE void list_patches(SurfaceHalves& halves, uint32_t half, const PatchRange& patches)
 {
     const SurfaceFrame& frame = *halves.frame;
     Lister<want_light> lister(frame, half == 0 ? frame.memory.bands : halves.bands);
-    const PatchRange patches = patches_of(frame, half);
     for (uint32_t k = patches.begin; k < patches.end; ++k) lister.add(k, surface_patch(frame.field, k).corner);
     halves.reach[half] = lister.reach();
 }
@@ -81,13 +79,41 @@ void run_half(SurfaceHalves& halves, int32_t step, uint32_t half)
 {
     switch (step) {
         case kPlaceVertices:
-            return place_vertices(halves, half);
+            return place_half(halves, half);
         case kListTriangles:
-            return list_triangles(halves, half);
+            return list_patches(halves, half, patches_of(halves.frame->field.patch_count, half));
         case kLightVertices:
             return light_vertices(*halves.frame, half);
         default:
             return;
+    }
+}
+
+void begin_halves_of_body(SurfaceFrame& frame, SurfaceHalves& halves)
+{
+    halves.frame = &frame;
+    halves.placed[0] = halves.placed[1] = kNotPlaced;
+    halves.reach[0] = halves.reach[1] = 0;
+    empty_bands(frame, halves.bands);
+}
+
+void run_half_of_body(SurfaceHalves& halves, int32_t step, uint32_t half)
+{
+    const SurfaceFrame& frame = *halves.frame;
+    const OwnerRanges body = owner_ranges(frame.field, 0);
+    if (step == kPlaceVertices) {
+        const auto half_of = [&](const NumberRange& r) {
+            const uint32_t middle = (r.begin + r.end) / 2;
+            return half == 0 ? NumberRange{r.begin, middle} : NumberRange{middle, r.end};
+        };
+        PlacedVertices placed = kNothingPlaced;
+        place_vertices(frame, half_of(body.viewed), placed);
+        place_vertices(frame, half_of(body.plain), placed);
+        halves.placed[half] = placed;
+    } else if (step == kListTriangles) {
+        list_patches(halves, half, patches_of(body.patches.end, half));
+    } else if (step == kLightVertices) {
+        light_vertices(frame, half);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers of the order of see-through triangles in SurfaceMemory. One has, from its upper bits down: the nearest depth
-// of the triangle's corners, the triangle, whether a side of it is an outline that is shown, and whether it is drawn in
-// parts. So the larger one of two is drawn later.
+// of the triangle's corners, the triangle, whether a side of it is an outline that is shown, and whether it is cut into
+// pieces. So the larger one of two is drawn later.
 #pragma once
 
 #include "surface/lists.h"
@@ -10,7 +10,7 @@
 namespace lumi::detail
 {
 
-inline constexpr uint32_t kInParts = 1, kHasOutline = 2, kTriangleShift = 2, kDepthShift = kTriangleShift + kLinkBits;
+inline constexpr uint32_t kIsCut = 1, kHasOutline = 2, kTriangleShift = 2, kDepthShift = kTriangleShift + kLinkBits;
 inline constexpr uint32_t kNotSeen = 0;  // no triangle's number: depths are above 0
 // Triangles that reach nearer than the near plane are the last.
 inline constexpr uint32_t kNearestOfAll = UINT16_MAX;

@@ -292,7 +292,7 @@ LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
 
 LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target)
 {
-    const uint32_t* const order = frame.memory.see_through;
+    const uint32_t* const order = frame.memory.features;
     for (uint32_t k = 0; k < frame.see_through_triangles; ++k)
         if ((order[k] & kHasOutline) != 0) mark_see_through_sides(frame, triangle_of(order[k]), target);
 }

@@ -21,15 +21,15 @@ LUMI_HOT bool TrianglePieces::next()
     if (piece.is_wide && next_part_of_wide(piece)) return true;
     for (uint32_t triangle = 0; next_listed(walk_, frame_, triangle);)
         if (begin_whole(piece, frame_, triangle, target_)) return true;
-    return next_part();
+    return next_cut();
 }
 
-__attribute__((noinline)) bool TrianglePieces::next_part()
+__attribute__((noinline)) bool TrianglePieces::next_cut()
 {
     while (true) {
-        if (begin_part(piece, frame_, parts_, target_)) return true;
+        if (begin_piece(piece, frame_, cut_, target_)) return true;
         if (other_ == kEmptyBand) return false;
-        begin_parts(parts_, frame_, other_);
+        begin_cut(cut_, frame_, other_);
         other_ = after(other_, frame_.memory.links[other_]);
     }
 }

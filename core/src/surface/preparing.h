@@ -33,10 +33,9 @@ inline Extent pixels_of(const PlaceRange& q6, uint32_t samples_log2, int32_t siz
     return {within((q6.least >> shift) - 1), within((q6.most >> shift) + 2)};
 }
 
-// The frame's constants, and lists without triangles; false if the sphere lies behind the near plane, so that nothing
-// of it shows.
-LUMI_ALWAYS_INLINE bool begin_frame(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
-                                    const SurfaceMemory& memory, SurfaceFrame& out)
+// Sets what a frame has from its caller.
+LUMI_ALWAYS_INLINE void set_frame(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                                  const SurfaceMemory& memory, SurfaceFrame& out)
 {
     out.field = field;
     out.memory = memory;
@@ -46,9 +45,23 @@ LUMI_ALWAYS_INLINE bool begin_frame(const SurfaceField& field, const SurfaceCame
     out.samples_log2 = mode == SurfaceMode::two_by_two ? 1 : 0;
     out.margin = mode == SurfaceMode::antialiased && field.neighbours != nullptr ? 1 : 0;
     out.other_list = surface_bands(out.height_px, memory.band_log2) - 1;
-    empty_bands(out, memory.bands);
-    out.reach = 0;
-    out.columns = out.scanlines = {0, 0};
+}
+
+// Leaves lists without triangles.
+LUMI_ALWAYS_INLINE void empty_frame(SurfaceFrame& frame)
+{
+    empty_bands(frame, frame.memory.bands);
+    frame.reach = 0;
+    frame.columns = frame.scanlines = {0, 0};
+}
+
+// The frame's constants, and lists without triangles; false if the sphere lies behind the near plane, so that nothing
+// of it shows.
+LUMI_ALWAYS_INLINE bool begin_frame(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                                    const SurfaceMemory& memory, SurfaceFrame& out)
+{
+    set_frame(field, camera, mode, memory, out);
+    empty_frame(out);
     return set_projection(camera, out);
 }
 

@@ -52,8 +52,8 @@ uint32_t entry_of(const SurfaceFrame& frame, uint32_t triangle)
     const uint32_t nearest =
         is_there ? static_cast<uint32_t>(most_of(depth(s.a), depth(s.b), depth(s.c))) : kNearestOfAll;
     const uint32_t outline = frame.margin != 0 && has_outline(frame, triangle) ? kHasOutline : 0;
-    const uint32_t parts = is_there && is_small(frame, s) ? 0 : kInParts;
-    return nearest << kDepthShift | triangle << kTriangleShift | outline | parts;
+    const uint32_t cut = is_there && is_small(frame, s) ? 0 : kIsCut;
+    return nearest << kDepthShift | triangle << kTriangleShift | outline | cut;
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void put_see_through(SurfaceFrame& frame)
     frame.see_through_triangles = 0;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
     const uint32_t first = 2 * frame.field.patch_count, end = first + 2 * frame.field.see_through_count;
-    uint32_t* const order = frame.memory.see_through;
+    uint32_t* const order = frame.memory.features;
     uint32_t count = 0;
     for (uint32_t triangle = first; triangle < end; ++triangle) {
         const bool is_lone = surface_patch(frame.field, triangle >> 1).corner[3] == format::kNoVertex;
@@ -78,11 +78,11 @@ LUMI_HOT bool SeeThroughPieces::next()
 {
     if (piece.is_wide && next_part_of_wide(piece)) return true;
     while (true) {
-        if (parts_.count != 0 && begin_part(piece, frame_, parts_, target_)) return true;
+        if (cut_.count != 0 && begin_piece(piece, frame_, cut_, target_)) return true;
         if (at_ == frame_.see_through_triangles) return false;
-        const uint32_t entry = frame_.memory.see_through[at_++], triangle = triangle_of(entry);
-        if ((entry & kInParts) != 0)
-            begin_parts(parts_, frame_, triangle);
+        const uint32_t entry = frame_.memory.features[at_++], triangle = triangle_of(entry);
+        if ((entry & kIsCut) != 0)
+            begin_cut(cut_, frame_, triangle);
         else if (begin_whole(piece, frame_, triangle, target_))
             return true;
     }

@@ -6,7 +6,7 @@ namespace lumi::detail
 namespace
 {
 
-constexpr int32_t kWhole = 1 << Parts::kWholeLog2;
+constexpr int32_t kWhole = 1 << CutTriangle::kWholeLog2;
 
 Share middle(const Share& p, const Share& q)
 {
@@ -22,15 +22,15 @@ bool can_be_halved(const Share& p, const Share& q)
 class Splitter
 {
 public:
-    Splitter(Parts& parts, const SurfaceFrame& frame, const Target& target)
-        : parts_(parts), frame_(frame), target_(target)
+    Splitter(CutTriangle& cut, const SurfaceFrame& frame, const Target& target)
+        : cut_(cut), frame_(frame), target_(target)
     {
     }
 
     bool next(Corner (&corner)[3])
     {
-        while (parts_.count != 0) {
-            const Part part = parts_.pending[--parts_.count];
+        while (cut_.count != 0) {
+            const Cut part = cut_.pending[--cut_.count];
             if (is_ready(part, corner)) return true;
         }
         return false;
@@ -38,7 +38,7 @@ public:
 
 private:
     // Sets the corners of a part that can be drawn as a whole, or halves it, or drops it.
-    bool is_ready(const Part& part, Corner (&corner)[3])
+    bool is_ready(const Cut& part, Corner (&corner)[3])
     {
         ViewPoint view[3];
         SamplePoint point[3];
@@ -55,8 +55,8 @@ private:
         }
         for (int k = 0; k < 3; ++k) {
             const Share& s = part.corner[k];
-            parts_.corner[k] = packed(point[k], colour(s));
-            corner[k] = {&parts_.corner[k], mixed_of(s, parts_.u_q8), mixed_of(s, parts_.v_q8)};
+            cut_.corner[k] = packed(point[k], colour(s));
+            corner[k] = {&cut_.corner[k], mixed_of(s, cut_.u_q8), mixed_of(s, cut_.v_q8)};
         }
         return true;
     }
@@ -69,25 +69,25 @@ private:
     }
 
     // The other edges come first in the halves.
-    void halve(const Part& part, int from, int to, int opposite)
+    void halve(const Cut& part, int from, int to, int opposite)
     {
         const Share a = part.corner[from], b = part.corner[to], c = part.corner[opposite];
-        if (!can_be_halved(a, b) || parts_.count + 2 > Parts::kMost) return;
+        if (!can_be_halved(a, b) || cut_.count + 2 > CutTriangle::kMost) return;
         const Share m = middle(a, b);
-        parts_.pending[parts_.count++] = {{m, c, a}};
-        parts_.pending[parts_.count++] = {{b, c, m}};
+        cut_.pending[cut_.count++] = {{m, c, a}};
+        cut_.pending[cut_.count++] = {{b, c, m}};
         // Both wind as (a, b, c) does: (a, m, c) and (m, b, c), turned.
     }
 
     __attribute__((noinline)) static int64_t mixed(const Share& s, int64_t a, int64_t b, int64_t c)
     {
-        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> Parts::kWholeLog2;
+        return (a * (kWhole - s.b - s.c) + b * s.b + c * s.c) >> CutTriangle::kWholeLog2;
     }
 
     __attribute__((noinline)) ViewPoint view_at(const Share& s) const
     {
         const auto at = [&](int32_t ViewPoint::*k) {
-            return static_cast<int32_t>(mixed(s, parts_.view[0].*k, parts_.view[1].*k, parts_.view[2].*k));
+            return static_cast<int32_t>(mixed(s, cut_.view[0].*k, cut_.view[1].*k, cut_.view[2].*k));
         };
         return {at(&ViewPoint::x), at(&ViewPoint::y), at(&ViewPoint::z)};
     }
@@ -100,7 +100,7 @@ private:
     uint32_t colour(const Share& s) const
     {
         const SurfaceVertex* v = frame_.memory.vertices;
-        const uint32_t *k = parts_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
+        const uint32_t *k = cut_.vertex, a = v[k[0]].colour, b = v[k[1]].colour, c = v[k[2]].colour;
         const auto field = [&](int32_t of_a, int32_t of_b, int32_t of_c) {
             return static_cast<uint32_t>(mixed(s, of_a, of_b, of_c)) & 0x3FF;
         };
@@ -142,36 +142,35 @@ private:
         return (v < -most ? -most : v < most ? v : most) * (int64_t{1} << left);
     }
 
-    Parts& parts_;
+    CutTriangle& cut_;
     const SurfaceFrame& frame_;
     const Target& target_;
 };
 
 }  // namespace
 
-void begin_parts(Parts& parts, const SurfaceFrame& frame, uint32_t triangle)
+void begin_cut(CutTriangle& cut, const SurfaceFrame& frame, uint32_t triangle)
 {
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
     const bool is_first = (triangle & 1) == 0;
     const Places p = places_of(patch, is_first);
     const uint32_t b = patch.corner[1], c = patch.corner[2];
-    parts.vertex[0] = patch.corner[is_first ? 0 : 3];
-    parts.vertex[1] = is_first ? b : c;
-    parts.vertex[2] = is_first ? c : b;
-    parts.u_q8[0] = parts.u_q8[2] = p.u_q8;
-    parts.v_q8[0] = parts.v_q8[1] = p.v_q8;
-    parts.u_q8[1] = p.across_q8;
-    parts.v_q8[2] = p.down_q8;
-    parts.texture = texture_of(patch, frame.field);
-    for (int k = 0; k < 3; ++k)
-        parts.view[k] = view_point(frame.projection, surface_vertex(frame.field, parts.vertex[k]));
-    parts.pending[0] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
-    parts.count = 1;
+    cut.vertex[0] = patch.corner[is_first ? 0 : 3];
+    cut.vertex[1] = is_first ? b : c;
+    cut.vertex[2] = is_first ? c : b;
+    cut.u_q8[0] = cut.u_q8[2] = p.u_q8;
+    cut.v_q8[0] = cut.v_q8[1] = p.v_q8;
+    cut.u_q8[1] = p.across_q8;
+    cut.v_q8[2] = p.down_q8;
+    cut.texture = texture_of(patch, frame.field);
+    for (int k = 0; k < 3; ++k) cut.view[k] = view_point(frame.projection, surface_vertex(frame.field, cut.vertex[k]));
+    cut.pending[0] = {{{0, 0}, {kWhole, 0}, {0, kWhole}}};
+    cut.count = 1;
 }
 
-bool next_part(Parts& parts, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3])
+bool next_cut(CutTriangle& cut, const SurfaceFrame& frame, const Target& target, Corner (&corner)[3])
 {
-    return Splitter(parts, frame, target).next(corner);
+    return Splitter(cut, frame, target).next(corner);
 }
 
 }  // namespace lumi::detail

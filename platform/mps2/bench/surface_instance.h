@@ -10,9 +10,10 @@ namespace lumi::bench
 {
 
 // Parts of fields that the build names, for as many see-through patches as it names.
-inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_SEE_THROUGH != 0 ? SurfaceFeatures::all
-                                             : LUMI_BENCH_VIEW_TABLES    ? SurfaceFeatures::view_tables
-                                                                         : SurfaceFeatures::none;
+inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_SEE_THROUGH != 0
+                                                 ? SurfaceFeatures::view_tables | SurfaceFeatures::see_through
+                                             : LUMI_BENCH_VIEW_TABLES ? SurfaceFeatures::view_tables
+                                                                      : SurfaceFeatures::none;
 
 // The field without its see-through patches.
 inline SurfaceField opaque_alone(SurfaceField field)
@@ -24,7 +25,7 @@ inline SurfaceField opaque_alone(SurfaceField field)
 // Memory that drawing a frame takes for them, besides surface_ram_bytes().
 inline uint32_t see_through_ram_bytes(const SurfaceField& field)
 {
-    return static_cast<uint32_t>(sizeof(uint32_t)) * see_through_words(field.see_through_count);
+    return static_cast<uint32_t>(sizeof(uint32_t)) * feature_words(field);
 }
 
 struct SurfaceView {

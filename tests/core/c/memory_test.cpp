@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The macros of lumi.h tell no less memory than a view takes, for screens of many sizes.
 #include "c/views.h"
+#include "surface/parts_bytes.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -33,7 +34,8 @@ size_t macro_of(const SurfaceField& field, const lumi_screen& s)
     const size_t opaque = s.mode == LUMI_TWO_BY_TWO
                               ? LUMI_MEMORY_TWO_BY_TWO(vertices, patches, s.width_px, s.height_px, s.rows_px)
                               : LUMI_MEMORY(vertices, patches, s.width_px, s.height_px, s.rows_px);
-    return opaque + (field.see_through_count != 0 ? LUMI_SEE_THROUGH_MEMORY(field.see_through_count) : 0);
+    return opaque + LUMI_PARTS_MEMORY(field.part_count) +
+           (field.see_through_count != 0 ? LUMI_SEE_THROUGH_MEMORY(field.see_through_count) : 0);
 }
 
 void check_macros(const Bytes& bytes, size_t always_linked)
@@ -58,6 +60,7 @@ TEST_CASE("the memory that a macro tells is enough for every screen")
 #ifdef LUMI_C_SEE_THROUGH
     check_macros(surface_bytes(), LUMI_SEE_THROUGH_MEMORY(0));
     check_macros(see_through_bytes(), 0);
+    check_macros(mover_file(moving_ball(9)), 0);
 #else
     check_macros(surface_bytes(), 0);
 #endif

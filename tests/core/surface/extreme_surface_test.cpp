@@ -41,7 +41,7 @@ uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count));
     std::vector<uint16_t> bands(surface_bands(e.edge.image.height_px, band_log2));
-    std::vector<uint32_t> see_through(see_through_words(field.see_through_count));
+    std::vector<uint32_t> see_through(feature_words(field));
     SurfaceFrame frame{};
     prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
         field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}, frame);

@@ -20,7 +20,7 @@ struct PreparedFrame {
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count), 0x5A5A),
           bands(surface_bands(height_px, band_log2), 0x5A5A),
-          see_through(see_through_words(field.see_through_count)),
+          see_through(feature_words(field)),
           memory{vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}
     {
     }
@@ -41,8 +41,8 @@ inline bool is_same(const detail::Extent& a, const detail::Extent& b)
 
 inline bool have_same_order(const SurfaceFrame& a, const SurfaceFrame& b)
 {
-    const uint32_t *const first = a.memory.see_through, count = a.see_through_triangles;
-    return count == b.see_through_triangles && std::equal(first, first + count, b.memory.see_through);
+    const uint32_t *const first = a.memory.features, count = a.see_through_triangles;
+    return count == b.see_through_triangles && std::equal(first, first + count, b.memory.features);
 }
 
 // All that drawing reads.

@@ -51,7 +51,7 @@ Drawn<Pixel> drawn(const SurfaceField& field, const test::View& view, SurfaceMod
 {
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
-    std::vector<uint32_t> see_through(see_through_words(field.see_through_count));
+    std::vector<uint32_t> see_through(feature_words(field));
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
     SurfaceFrame frame;

@@ -35,7 +35,7 @@ struct FrameMemory {
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count)),
           bands(surface_bands(height_px, kBandLog2)),
-          see_through(see_through_words(field.see_through_count))
+          see_through(feature_words(field))
     {
     }
     SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2, see_through.data()}; }

@@ -189,7 +189,7 @@ public:
     void begin(uint32_t triangle)
     {
         add(SurfaceItem::large);
-        detail::begin_parts(parts_, frame_, triangle);
+        detail::begin_cut(cut_, frame_, triangle);
         left_ = 1;
         ready_ = 0;
     }
@@ -197,15 +197,15 @@ public:
     // False after the last.
     bool next(detail::TrianglePiece& piece)
     {
-        if (parts_.count == 0) return false;
+        if (cut_.count == 0) return false;
         detail::Corner corner[3];
-        while (detail::next_part(parts_, frame_, target_, corner)) {
+        while (detail::next_cut(cut_, frame_, target_, corner)) {
             ++ready_;
             left_ -= share_of(corner);
             detail::TriangleSize size;
             detail::Extent columns;
             if (detail::set_size(size, columns, {corner[0].at, corner[1].at, corner[2].at}, target_) &&
-                detail::begin_triangle(piece, corner, size, parts_.texture, target_)) {
+                detail::begin_triangle(piece, corner, size, cut_.texture, target_)) {
                 add(SurfaceItem::parts);
                 return true;
             }
@@ -219,8 +219,8 @@ private:
     double share_of(const detail::Corner (&c)[3]) const
     {
         const auto area = [](double au, double av, double bu, double bv) { return std::fabs(au * bv - bu * av); };
-        const double whole = area(parts_.u_q8[1] - parts_.u_q8[0], parts_.v_q8[1] - parts_.v_q8[0],
-                                  parts_.u_q8[2] - parts_.u_q8[0], parts_.v_q8[2] - parts_.v_q8[0]);
+        const double whole = area(cut_.u_q8[1] - cut_.u_q8[0], cut_.v_q8[1] - cut_.v_q8[0], cut_.u_q8[2] - cut_.u_q8[0],
+                                  cut_.v_q8[2] - cut_.v_q8[0]);
         const double part =
             area(c[1].u_q8 - c[0].u_q8, c[1].v_q8 - c[0].v_q8, c[2].u_q8 - c[0].u_q8, c[2].v_q8 - c[0].v_q8);
         return part > 0 ? std::exp2(std::round(std::log2(part / whole))) : 0;
@@ -242,7 +242,7 @@ private:
 
     const SurfaceFrame& frame_;
     const detail::Target& target_;
-    detail::Parts parts_;
+    detail::CutTriangle cut_;
     double left_ = 0;
     int ready_ = 0;
 };
@@ -316,9 +316,9 @@ public:
         while (true) {
             if (parts_.next(piece)) return true;
             if (at_ == frame_.see_through_triangles) return false;
-            const uint32_t entry = frame_.memory.see_through[at_++], triangle = detail::triangle_of(entry);
+            const uint32_t entry = frame_.memory.features[at_++], triangle = detail::triangle_of(entry);
             add(SurfaceItem::see_visited);
-            if ((entry & detail::kInParts) != 0)
+            if ((entry & detail::kIsCut) != 0)
                 parts_.begin(triangle);
             else if (begins(piece, frame_, triangle, target_, SurfaceItem::see_boxed, SurfaceItem::see_looked_at,
                             SurfaceItem::see_begun))

@@ -69,7 +69,7 @@ void count_outlines(const SurfaceFrame& frame, const detail::Target& target)
 
 void count_see_through_outlines(const SurfaceFrame& frame, const detail::Target& target)
 {
-    const uint32_t* const order = frame.memory.see_through;
+    const uint32_t* const order = frame.memory.features;
     for (uint32_t k = 0; k < frame.see_through_triangles; ++k) {
         if ((order[k] & detail::kHasOutline) == 0) continue;
         const uint32_t triangle = detail::triangle_of(order[k]);
@@ -176,7 +176,7 @@ SurfaceWork work_of(const SurfaceField& field, const tools::Eye& eye, SurfaceMod
     const uint32_t band_log2 = surface_band_log2(stripe_rows);
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(height, band_log2));
-    std::vector<uint32_t> see_through(see_through_words(field.see_through_count)),
+    std::vector<uint32_t> see_through(feature_words(field)),
         samples(surface_stripe_bytes(width, stripe_rows, mode) / sizeof(uint32_t) + 1);
     SurfaceFrame frame;
     prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(

@@ -86,13 +86,27 @@ struct SurfaceMemory {
     // Scanlines a band, 2^0 .. 2^8: see surface_band_log2. Where several
     // triangles have one depth, the bands decide which one shows.
     uint32_t band_log2;
-    uint32_t* see_through = nullptr;  // see_through_words() of the field; for 0, and where no call names them, null
+    // feature_words() of the field, for see-through patches and moving parts; for 0, and where no call names these,
+    // null. Where parts move these words are 0 before the first frame, and they belong to the same frame until the
+    // field or the format of pixels changes.
+    uint32_t* features = nullptr;
 };
 
 // Counts the numbers for so many see-through patches: the order of their triangles, and their palette.
 constexpr uint32_t see_through_words(uint32_t see_through_patches)
 {
     return see_through_patches == 0 ? 0 : 2 * see_through_patches + 2 * detail::format::kPaletteEntries;
+}
+
+// Counts those of moving parts, 160 bytes each or less: what all of them share, then a part's own (surface/parts.h).
+constexpr uint32_t part_words(uint32_t parts)
+{
+    return parts == 0 ? 0 : 5 + 35 * parts;
+}
+
+constexpr uint32_t feature_words(const SurfaceField& field)
+{
+    return see_through_words(field.see_through_count) + part_words(field.part_count);
 }
 
 constexpr uint32_t surface_links(uint32_t patches)
@@ -137,8 +151,8 @@ struct SurfaceFrame {
     int32_t margin;                     // samples around a stripe that it reads: 1 with outlines, else 0
     detail::Extent columns, scanlines;  // beside them all is background
     bool samples_are_pixels;            // in modes of one sample: detail/target.h
-    bool is_whole;                      // no vertex is missing
-    bool is_narrow;                     // areas of triangles fit 32 bits
+    bool is_whole;                      // no vertex is missing; where parts move, none of the body
+    bool is_narrow;                     // areas of triangles fit 32 bits, of those that were listed last
     int32_t reach;                      // bands that a triangle of theirs reaches beyond its first, at most
     uint32_t other_list;                // the last of the bands' lists: triangles that are cut, large or tall
     detail::PackedColour palette[256];
@@ -159,11 +173,30 @@ void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
 // After that it lists the see-through triangles that face the eye, in the field's order, and lights them.
 void put_see_through(SurfaceFrame& frame);
 
+// Parts may move if there is memory for them; else they rest.
+inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)
+{
+    return field.part_count != 0 && memory.features != nullptr;
+}
+
+// What a frame whose parts may move begins with. The body is kept if its vertices, lists and light are those of the
+// frame before, because the eye and the mode are.
+enum class MovingStart : uint8_t { nothing_shows, new_body, kept_body };
+MovingStart begin_moving(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                         const SurfaceMemory& memory, SurfaceFrame& out);
+void put_body(SurfaceFrame& frame);
+void put_parts(SurfaceFrame& frame, bool keeps_body);
+
+struct PatchRange {
+    uint32_t begin, end;
+};
+PatchRange patches_of_parts(const SurfaceFrame& frame);
+
 // Returns the palette of see-through parts: 256 colours that are added, and 256 shares of what lies behind, which
 // passes. They are PackedColour, but shares have no fraction for rounding.
 inline PackedColour* see_through_palette(const SurfaceFrame& frame)
 {
-    return frame.memory.see_through + 2 * frame.field.see_through_count;
+    return frame.memory.features + 2 * frame.field.see_through_count;
 }
 
 template <class Pixel>
@@ -205,6 +238,23 @@ void end_frame(SurfaceFrame& frame)
     }
 }
 
+// `make_body` places the body, lists it, and finds its outlines.
+template <class Pixel, SurfaceMode kFinest, SurfaceFeatures kFeatures, class MakeBody>
+void prepare_moving(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
+                    const SurfaceMemory& memory, SurfaceFrame& out, const MakeBody& make_body)
+{
+    const MovingStart start = begin_moving(field, camera, mode, memory, out);
+    const bool keeps_body = start == MovingStart::kept_body;
+    if (start != MovingStart::nothing_shows) {
+        if (!keeps_body) make_body();
+        put_parts(out, keeps_body);
+        const PatchRange patches = patches_of_parts(out);
+        if constexpr (kFinest != SurfaceMode::one_sample)
+            if (out.margin != 0) put_outlines(out, patches.begin, patches.end);
+    }
+    if (!keeps_body) end_frame<Pixel, kFeatures>(out);
+}
+
 }  // namespace lumi::detail
 
 namespace lumi
@@ -213,12 +263,22 @@ namespace lumi
 // Any field that open_surface accepted and any camera are safe. What vertices, lists and view tables cost:
 // docs/log/speed.md.
 // The mode is at most kFinest: what finer modes take is not linked, nor what parts take that kFeatures does not name
-// and that fields do not have. See-through parts come with view tables.
+// and that fields do not have. See-through and moving parts come with view tables.
 template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two,
           SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out)
 {
+    if constexpr (has(kFeatures, SurfaceFeatures::parts)) {
+        if (detail::may_move(field, memory))
+            return detail::prepare_moving<Pixel, kFinest, kFeatures>(
+                field, camera, mode, memory, out,
+                [&] {
+                    detail::put_body(out);
+                    if constexpr (kFinest != SurfaceMode::one_sample)
+                        if (out.margin != 0) detail::put_outlines(out, 0, detail::patches_of_parts(out).begin);
+                });
+    }
     if constexpr (kFeatures != SurfaceFeatures::none)
         detail::prepare(field, camera, mode, memory, out);
     else

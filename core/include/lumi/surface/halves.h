@@ -8,7 +8,8 @@
 //         wait_for_other_core();
 //     });
 //
-// The caller's function is called at most three times a frame, for step 0, 1 and 2, or not at all where nothing shows.
+// The caller's function is called at most three times a frame, for step 0, 1 and 2, or not at all where nothing shows
+// or only parts have moved.
 // It must call prepare_half(halves, step, 0) and prepare_half(halves, step, 1) once each and come back after both. They
 // may run at once on two cores, or one after the other, in any order, on any core. So a core that is busy with
 // something else can be done without: run both halves here.
@@ -23,8 +24,8 @@
 // If it still runs after the function came back, it writes what this core reads: that is the one fault that nothing
 // here finds.
 //
-// Cost: surface_bands() numbers and sizeof(SurfaceHalves). See-through triangles, their light and the palettes are
-// prepared by the calling core alone.
+// Cost: surface_bands() numbers and sizeof(SurfaceHalves). See-through triangles, moving parts, their light and the
+// palettes are prepared by the calling core alone.
 #pragma once
 #pragma GCC system_header
 
@@ -70,14 +71,32 @@ void run_half(SurfaceHalves& halves, int32_t step, uint32_t half);
 void join_vertices(SurfaceHalves& halves);
 void join_lists(SurfaceHalves& halves);
 
-// Returns the patches of a half.
-struct PatchRange {
-    uint32_t begin, end;
-};
-inline PatchRange patches_of(const SurfaceFrame& frame, uint32_t half)
+// Do that for the body alone, where parts may move.
+void begin_halves_of_body(SurfaceFrame& frame, SurfaceHalves& halves);
+void run_half_of_body(SurfaceHalves& halves, int32_t step, uint32_t half);
+
+// Returns the patches of a half, of so many.
+inline PatchRange patches_of(uint32_t count, uint32_t half)
 {
-    const uint32_t count = frame.field.patch_count, middle = count / 2;
+    const uint32_t middle = count / 2;
     return half == 0 ? PatchRange{0, middle} : PatchRange{middle, count};
+}
+
+template <SurfaceMode kFinest>
+void put_outlines_of_half(const SurfaceFrame& frame, int32_t step, const PatchRange& patches)
+{
+    if constexpr (kFinest != SurfaceMode::one_sample)
+        if (step == kLightVertices && frame.margin != 0) put_outlines(frame, patches.begin, patches.end);
+}
+
+template <class Both>
+void run_steps(SurfaceHalves& halves, const Both& both)
+{
+    both(kPlaceVertices);
+    join_vertices(halves);
+    both(kListTriangles);
+    both(kLightVertices);
+    join_lists(halves);
 }
 
 }  // namespace lumi::detail
@@ -85,17 +104,20 @@ inline PatchRange patches_of(const SurfaceFrame& frame, uint32_t half)
 namespace lumi
 {
 
-// Runs half 0 or 1 of a step, from the function that prepare_surface() calls; kFinest as there.
-template <SurfaceMode kFinest = SurfaceMode::two_by_two>
+// Runs half 0 or 1 of a step, from the function that prepare_surface() calls; kFinest and kFeatures as there.
+template <SurfaceMode kFinest = SurfaceMode::two_by_two, SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
 void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
 {
-    detail::run_half(halves, step, half);
-    if constexpr (kFinest != SurfaceMode::one_sample) {
-        const SurfaceFrame& frame = *halves.frame;
-        const detail::PatchRange patches = detail::patches_of(frame, half);
-        if (step == detail::kLightVertices && frame.margin != 0)
-            detail::put_outlines(frame, patches.begin, patches.end);
+    const SurfaceFrame& frame = *halves.frame;
+    if constexpr (has(kFeatures, SurfaceFeatures::parts)) {
+        if (detail::may_move(frame.field, frame.memory)) {
+            detail::run_half_of_body(halves, step, half);
+            const detail::PatchRange parts = detail::patches_of_parts(frame);
+            return detail::put_outlines_of_half<kFinest>(frame, step, detail::patches_of(parts.begin, half));
+        }
     }
+    detail::run_half(halves, step, half);
+    detail::put_outlines_of_half<kFinest>(frame, step, detail::patches_of(frame.field.patch_count, half));
 }
 
 // Prepares a frame as prepare_surface() does on one core, and as fast as that if `both` runs both halves here. Give
@@ -105,13 +127,16 @@ template <class Pixel, SurfaceMode kFinest = SurfaceMode::two_by_two,
 void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                      const SurfaceMemory& memory, SurfaceFrame& out, SurfaceHalves& halves, const Both& both)
 {
-    if (detail::begin_halves(field, camera, mode, memory, out, halves)) {
-        both(detail::kPlaceVertices);
-        detail::join_vertices(halves);
-        both(detail::kListTriangles);
-        both(detail::kLightVertices);
-        detail::join_lists(halves);
+    if constexpr (has(kFeatures, SurfaceFeatures::parts)) {
+        if (detail::may_move(field, memory))
+            return detail::prepare_moving<Pixel, kFinest, kFeatures>(
+                field, camera, mode, memory, out,
+                [&] {
+                    detail::begin_halves_of_body(out, halves);
+                    detail::run_steps(halves, both);
+                });
     }
+    if (detail::begin_halves(field, camera, mode, memory, out, halves)) detail::run_steps(halves, both);
     detail::end_frame<Pixel, kFeatures>(out);
 }
 

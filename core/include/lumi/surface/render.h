@@ -125,6 +125,7 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
 {
     using namespace detail;
     constexpr bool kMayHaveGlass = has(kFeatures, SurfaceFeatures::see_through);
+    using Pieces = PiecesOf<has(kFeatures, SurfaceFeatures::parts)>;
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
     if (covered.width_px == 0) return;
@@ -137,14 +138,14 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
         if constexpr (kMayHaveGlass && !Samples::kArePixels)
             if (frame.see_through_triangles != 0) fill_colours<Pixel>(samples, background);
         if (kHasTaps && frame.mode == SurfaceMode::antialiased) {
-            draw_triangles<TrianglePieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
+            draw_triangles<Pieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame,
                                                                                                            target);
             if (frame.margin != 0) mark_all_outlines<Background, kFeatures>(frame, target);
         } else {
-            draw_triangles<TrianglePieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
+            draw_triangles<Pieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame,

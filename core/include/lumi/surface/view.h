@@ -4,6 +4,7 @@
 #pragma GCC system_header
 
 #include "lumi/surface/halves.h"
+#include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
 #include "lumi/view.h"
 
@@ -32,12 +33,13 @@ namespace lumi
 // Memory for fields of up to so many vertices and patches, which `lumi inspect` tells, and for all modes up to kFinest:
 // 2 × 2 takes four times as many samples as the others. Of the patches so many more may be see-through; for 0 open()
 // refuses fields that have any, and nothing that draws them is linked. Of the vertices so many may have view tables;
-// for 0 the same holds for these, unless there are see-through patches or two cores prepare.
+// for 0 the same holds for these, unless there are see-through patches or two cores prepare. So many parts may move;
+// for 0 the same holds for these.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased,
-          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices>
+          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices, uint32_t kParts = 0>
 struct SurfaceDrawing {
     static_assert(kVertices <= detail::format::kMaxSurfaceVertices &&
-                      kPatches + kSeeThrough <= detail::format::kMaxPatches,
+                      kPatches + kSeeThrough <= detail::format::kMaxPatches && kParts <= detail::format::kMaxParts,
                   "more than a field has");
     using Mode = SurfaceMode;
     static constexpr Mode kDefaultMode = kFinest;
@@ -49,11 +51,16 @@ struct SurfaceDrawing {
     template <class ScreenOf>
     using Samples = detail::SampleMemory<kSampleBytes<ScreenOf>>;
 
+    static constexpr SurfaceFeatures kFeatures =
+        (kSeeThrough + kViewed + kParts != 0 ? SurfaceFeatures::view_tables : SurfaceFeatures::none) |
+        (kSeeThrough != 0 ? SurfaceFeatures::see_through : SurfaceFeatures::none) |
+        (kParts != 0 ? SurfaceFeatures::parts : SurfaceFeatures::none);
+
     template <class ScreenOf>
     class Halves
     {
     public:
-        void prepare(int32_t step, uint32_t half) { prepare_half<kFinest>(shared_, step, half); }
+        void prepare(int32_t step, uint32_t half) { prepare_half<kFinest, kFeatures>(shared_, step, half); }
 
         operator SurfaceHalves&()
         {
@@ -67,7 +74,8 @@ struct SurfaceDrawing {
     };
 
     template <class ScreenOf>
-    class State : detail::SampleMemory<4 * see_through_words(kSeeThrough)>  // a base: an empty one takes no memory
+    // The memory of features is a base: an empty one takes no memory.
+    class State : detail::SampleMemory<4 * (see_through_words(kSeeThrough) + part_words(kParts))>
     {
     public:
         ViewError open(const uint8_t* bytes, size_t size)
@@ -76,9 +84,10 @@ struct SurfaceDrawing {
             if (const FieldError error = open_surface<kFeatures>(bytes, size, field); error != FieldError::none)
                 return detail::view_error(error);
             if (field.vertex_count > kVertices || field.patch_count > kPatches || field.viewed_count > kViewed ||
-                field.see_through_count > kSeeThrough)
+                field.see_through_count > kSeeThrough || (kParts != 0 && field.part_count > kParts))
                 return ViewError::field_too_large;
             field_ = field;
+            if constexpr (kParts != 0) detail::rest_parts(field_, memory());
             return ViewError::none;
         }
 
@@ -90,12 +99,27 @@ struct SurfaceDrawing {
             SurfaceCamera camera;
             const CameraError error = make_surface_camera(pose, image, camera);
             if (error != CameraError::none) return detail::view_error(error);
-            prepare_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(
-                field_, camera, mode, {vertices_, links_, bands_, kBandLog2, this->data()}, frame_, both...);
+            prepare_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(field_, camera, mode, memory(), frame_,
+                                                                          both...);
             return ViewError::none;
         }
 
         PixelRect bounds() const { return detail::bounds_of(frame_); }
+
+        ViewError turn(uint32_t part, uint32_t turns32)
+        {
+            static_assert(kParts != 0, "the view is of a field without moving parts: `lumi embed` names their number");
+            return turn_part(field_, memory(), part, turns32) ? ViewError::none : ViewError::bad_argument;
+        }
+        ViewError slide(uint32_t part, int32_t offset_q20)
+        {
+            static_assert(kParts != 0, "the view is of a field without moving parts: `lumi embed` names their number");
+            return slide_part(field_, memory(), part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+        }
+        ChangedRects changed(uint32_t align_x, uint32_t align_y) const
+        {
+            return changed_rects(frame_, align_x, align_y);
+        }
 
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::PixelSize& part, const Background& background,
@@ -117,10 +141,8 @@ struct SurfaceDrawing {
         }
 
     private:
-        static constexpr SurfaceFeatures kFeatures = kSeeThrough != 0
-                                                         ? SurfaceFeatures::view_tables | SurfaceFeatures::see_through
-                                                     : kViewed != 0 ? SurfaceFeatures::view_tables
-                                                                    : SurfaceFeatures::none;
+        SurfaceMemory memory() { return {vertices_, links_, bands_, kBandLog2, this->data()}; }
+
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
         SurfaceField field_{};

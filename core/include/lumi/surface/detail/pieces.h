@@ -70,12 +70,12 @@ struct Share {
     int32_t b, c;
 };
 
-struct Part {
+struct Cut {
     Share corner[3];
 };
 
 // A triangle that is not drawn as a whole, and what is left of it; see split.h.
-struct Parts {
+struct CutTriangle {
     static constexpr int kWholeLog2 = 16;
     static constexpr int kMost = 3 * kWholeLog2;
 
@@ -83,9 +83,9 @@ struct Parts {
     int32_t u_q8[3], v_q8[3];
     Texture texture;
     ViewPoint view[3];
-    Part pending[kMost];
+    Cut pending[kMost];
     int32_t count = 0;
-    SurfaceVertex corner[3];  // of the part that is drawn
+    SurfaceVertex corner[3];  // of the piece that is drawn
 };
 
 // Goes through the lists of the bands that may reach a target's rows, nearest first.
@@ -105,15 +105,38 @@ public:
 
     TrianglePiece piece;
 
-private:
-    bool next_part();
+protected:
+    bool next_cut();
 
     const SurfaceFrame& frame_;
     const Target& target_;
     ListWalk walk_;
     uint32_t other_;  // the next triangle of the other list, or kEmptyBand
-    Parts parts_;
+    CutTriangle cut_;
 };
+
+// Does that where parts may move.
+class MovingPieces : public TrianglePieces
+{
+public:
+    using TrianglePieces::TrianglePieces;
+
+    LUMI_HOT bool next();
+
+private:
+    bool next_cut();
+};
+
+template <bool kMove>
+struct PiecesFor {
+    using Type = TrianglePieces;
+};
+template <>
+struct PiecesFor<true> {
+    using Type = MovingPieces;
+};
+template <bool kMove>
+using PiecesOf = typename PiecesFor<kMove>::Type;
 
 // Cuts rows to what lies in the target, one after the other:
 //

@@ -30,7 +30,7 @@ private:
     const SurfaceFrame& frame_;
     const Target& target_;
     uint32_t at_ = 0;
-    Parts parts_;
+    CutTriangle cut_;
 };
 
 // How much of a sample without a surface is covered, as its depth says it: kMostClear, which is nothing, to 0.
