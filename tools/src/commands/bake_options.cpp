@@ -263,7 +263,7 @@ uint64_t FitOptions::ram_bytes() const
 void add_bake_options(CLI::App& command, BakeOptions& options)
 {
     add_scene_options(command, options.scene);
-    add_part_option(command, options.scene.parts, PartPose::none);
+    add_part_option(command, options.scene.parts, PartWords::motion);
     add_field_options(command, options);
     add_surface_options(command, options.surface);
     add_chord_options(command, options);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "commands/part_options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "lumi/fixed.h"
+#include "lumi/host/nearest_word.h"
 #include "program/option_checks.h"
+#include "terminal/failure.h"
 
 namespace lumi::tools
 {
@@ -45,26 +49,29 @@ std::optional<std::string> take_behind(std::string& text, char mark)
     return behind;
 }
 
-baker::PartOptions part_of(const std::string& word, PartPose pose)
+baker::PartOptions part_of(const std::string& word, PartWords words)
 {
     const auto fail = [&](const std::string& takes) {
         throw CLI::ValidationError("--part", "takes " + takes + ", not \"" + word + "\"");
     };
-    const std::string form = pose == PartPose::none ? "NAME:AXIS or NAME:AXIS@X,Y,Z, for instance second_hand:z"
-                                                    : "NAME=DEGREES or NAME:AXIS=DEGREES, for instance second_hand=-90";
+    const std::string form = words == PartWords::motion ? "NAME:AXIS or NAME:AXIS@X,Y,Z, for instance second_hand:z"
+                             : words == PartWords::pose
+                                 ? "NAME=DEGREES, for instance second_hand=-90"
+                                 : "NAME=DEGREES or NAME:AXIS=DEGREES, for instance second_hand=-90";
     baker::PartOptions part;
     std::string text = word;
-    if (pose == PartPose::optional) {
+    if (words != PartWords::motion) {
         std::string name = text;
         const auto behind = take_behind(name, '=');
         const auto value = behind ? number_of(*behind) : std::nullopt;
-        if (behind && !value && behind->find(':') == std::string::npos) fail(form);
+        if ((behind && !value && behind->find(':') == std::string::npos) || (!value && words == PartWords::pose))
+            fail(form);
         if (value) {
             part.value = *value;
             text = name;
         }
     }
-    if (auto axis = take_behind(text, ':')) {
+    if (auto axis = words == PartWords::pose ? std::nullopt : take_behind(text, ':')) {
         if (const auto pivot = take_behind(*axis, '@')) {
             part.pivot = vector_of(*pivot);
             if (!part.pivot) fail("a pivot X,Y,Z of three numbers behind @");
@@ -73,28 +80,57 @@ baker::PartOptions part_of(const std::string& word, PartPose pose)
         if (!part.axis) fail("an axis x, y, z, -x, -y, -z or three numbers behind the last ':'");
     }
     part.name = text;
-    if (part.name.empty() || (pose == PartPose::none && !part.axis)) fail(form);
+    if (part.name.empty() || (words == PartWords::motion && !part.axis)) fail(form);
     return part;
 }
 
 }  // namespace
 
-void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartPose pose)
+void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartWords words)
 {
-    const std::string pivot =
-        "; AXIS is x, y or z of a glTF node, or three numbers; @X,Y,Z is a point of it, "
-        "needed where files have no nodes";
+    const std::string all =
+        "A part that turns, by the name of its object, group or node. AXIS is x, y or z of a glTF node, or three "
+        "numbers; @X,Y,Z is a point of it, needed where files have no nodes";
     command
         .add_option_function<std::vector<std::string>>(
             "--part",
-            [&parts, pose](const std::vector<std::string>& words) {
-                for (const std::string& word : words) parts.push_back(part_of(word, pose));
+            [&parts, words](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) parts.push_back(part_of(text, words));
             },
-            pose == PartPose::none ? "A part that turns, by the name of its object, group or node" + pivot
-                                   : "A part that turns, as in lumi bake, and its pose")
-        ->type_name(pose == PartPose::none ? "NAME:AXIS" : "NAME:AXIS=DEGREES")
+            words == PartWords::motion ? all
+            : words == PartWords::pose ? "Turn a part to this angle, or slide it so far in the scene's units [at rest]"
+                                       : "A part that turns, as in lumi bake, and its pose [at rest]")
+        ->type_name(words == PartWords::motion ? "NAME:AXIS"
+                    : words == PartWords::pose ? "NAME=DEGREES"
+                                               : "NAME:AXIS=DEGREES")
         ->expected(1)
         ->take_all();
+}
+
+std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, const FieldFile& field)
+{
+    constexpr double kTurn = 360;
+    std::vector<std::string> names;
+    for (uint32_t k = 0; field.is_surface() && k < field.surface().part_count; ++k) {
+        const PartName name = part_name(field.surface(), k);
+        names.emplace_back(name.text, name.bytes);
+    }
+    std::vector<PartValue> values;
+    for (const baker::PartOptions& part : parts) {
+        const auto found = std::find(names.begin(), names.end(), part.name);
+        if (found == names.end()) {
+            std::string list;
+            for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+            throw Failure(field.path(), "no part of it is named '" + part.name + "'" + host::meant(part.name, names),
+                          names.empty() ? "nothing in it moves; bake it with --part" : "choose among: " + list);
+        }
+        const auto number = static_cast<uint32_t>(found - names.begin());
+        const double offset = part.value / static_cast<double>(field.sphere().radius),
+                     turns = std::remainder(part.value / kTurn, 1);
+        const double value = part_motion(field.surface(), number).slides ? offset * kOneQ20 : turns * 0x1p32;
+        values.push_back({number, static_cast<uint32_t>(std::llround(std::clamp(value, -0x1p31, 0x1p31)))});
+    }
+    return values;
 }
 
 }  // namespace lumi::tools

@@ -170,7 +170,7 @@ void add_reference(CLI::App& lumi)
     CLI::App* command =
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
-    add_part_option(*command, options->scene.parts, PartPose::optional);
+    add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
     add_thread_option(*command, options->scene);
     add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views, "black");

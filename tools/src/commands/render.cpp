@@ -7,6 +7,7 @@
 
 #include "commands/camera_options.h"
 #include "commands/commands.h"
+#include "commands/part_options.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "image/animation.h"
@@ -51,8 +52,8 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     if (options.drawing.span_px > 1) refuse(options, "--span", "chord");
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     const DisplayFormat display = options.drawing.display;
-    return [&file, mode, display](const Eye& eye, const Rgb8& background) {
-        return draw_surface(file.surface(), eye, {mode, display, background});
+    return [&file, mode, display, parts = values_of(options.parts, file)](const Eye& eye, const Rgb8& background) {
+        return draw_surface(file.surface(), eye, {mode, display, background, parts});
     };
 }
 
@@ -67,6 +68,7 @@ void warn_of_spans(const RenderOptions& options, const Field& field)
 
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
+    if (!options.parts.empty()) refuse(options, "--part", "surface");
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
     if (drawing.mode == Mode::paper && drawing.span_px > 1)
@@ -148,6 +150,7 @@ void add_render(CLI::App& lumi)
     add_picture_output(*command, options->output, "OUT.png|OUT.webp", wrong_views_name);
     add_camera_options(*command, options->views, "gradient");
     add_drawing_options(*command, *options);
+    add_part_option(*command, options->parts, PartWords::pose);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());

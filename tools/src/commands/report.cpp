@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lumi report: how good fields look, measured from views that no bake has aimed at.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "commands/commands.h"
 #include "commands/device_figures.h"
 #include "commands/ladder.h"
+#include "commands/part_options.h"
 #include "commands/scene_options.h"
 #include "files/output_file.h"
 #include "program/option_checks.h"
@@ -73,6 +75,13 @@ trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role rol
     return files;
 }
 
+std::vector<baker::PartOptions> posed(std::vector<baker::PartOptions> parts)
+{
+    const auto rests = [](const baker::PartOptions& part) { return part.value == 0; };
+    parts.erase(std::remove_if(parts.begin(), parts.end(), rests), parts.end());
+    return parts;
+}
+
 quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
 {
     quality::ReportData report;
@@ -81,9 +90,10 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     report.reference_samples = options.reference.samples;
     report.views = quality::held_out_views(options.set, options.views, options.size_px);
     report.references = traced(options, scene, report.views);
-    const quality::Yardstick by = {report.views, report.references, way_of(options)};
+    quality::Yardstick by = {report.views, report.references, way_of(options)};
     const Waiting waiting("measuring fields");
     for (const auto& field : fields) {
+        by.way.surface.parts = values_of(posed(options.scene.parts), *field);
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
             report.variants.push_back(std::move(variant));
@@ -173,6 +183,7 @@ void add_report(CLI::App& lumi)
     CLI::App* command = lumi.add_subcommand(
         "report", "Measure how good fields look, from views that no bake aimed at, and what that costs");
     add_scene_options(*command, options->scene);
+    add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
     add_thread_option(*command, options->scene);
     command->add_option("FIELD", options->fields,
                         "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "draw/display.h"
+#include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
 #include "terminal/failure.h"
 
@@ -29,16 +30,16 @@ SurfaceCamera camera_of(const Eye& eye)
 struct FrameMemory {
     std::vector<SurfaceVertex> vertices;
     std::vector<uint16_t> links, bands;
-    std::vector<uint32_t> see_through;
+    std::vector<uint32_t> features;
 
     FrameMemory(const SurfaceField& field, int32_t height_px)
         : vertices(field.vertex_count),
           links(surface_links(field.patch_count)),
           bands(surface_bands(height_px, kBandLog2)),
-          see_through(feature_words(field))
+          features(feature_words(field))
     {
     }
-    SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2, see_through.data()}; }
+    SurfaceMemory borrowed() { return {vertices.data(), links.data(), bands.data(), kBandLog2, features.data()}; }
 };
 
 template <class Pixel>
@@ -46,6 +47,9 @@ Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSett
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
     FrameMemory memory(field, height);
+    for (const PartValue& p : settings.parts)
+        if (!turn_part(field, memory.borrowed(), p.part, p.value))
+            slide_part(field, memory.borrowed(), p.part, static_cast<int32_t>(p.value));
     SurfaceFrame frame;
     prepare_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera_of(eye), settings.mode,
                                                                           memory.borrowed(), frame);

@@ -10,10 +10,16 @@
 namespace lumi::tools
 {
 
+// A moving part in a pose: turns times 2^32, or the offset of one that slides, Q20.
+struct PartValue {
+    uint32_t part, value;
+};
+
 struct SurfaceDrawSettings {
     SurfaceMode mode = SurfaceMode::two_by_two;
     DisplayFormat display = DisplayFormat::rgb888;
     Rgb8 background = {0, 0, 0};
+    std::vector<PartValue> parts = {};  // others rest
 };
 
 // Returns "one-sample", "antialiased" or "2x2".

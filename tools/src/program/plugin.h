@@ -9,6 +9,7 @@
 #include "draw/draw.h"
 #include "draw/views.h"
 #include "files/field_file.h"
+#include "lumi/baker/scene.h"
 
 namespace lumi::tools
 {
@@ -19,6 +20,7 @@ struct RenderOptions {
     ViewOptions views;
     std::string mode = "best";
     DrawSettings drawing;  // its mode is that of a chord field
+    std::vector<baker::PartOptions> parts;
 };
 
 // Changes pictures after they are drawn, where its options ask for it.
