@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Parts that move, through the program.
+#include <catch2/catch.hpp>
+
+#include "image/picture_file.h"
+#include "lumi/host/png.h"
+#include "metrics/psnr.h"
+#include "support/program.h"
+#include "support/small_surface.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+
+namespace lumi::tools
+{
+namespace
+{
+
+using test::joined;
+using test::lumi;
+
+// A plate, and before it a bar that points to the right, both in planes x = const: azimuth 0 looks at them.
+std::string write_gauge(const test::TemporaryFolder& folder)
+{
+    test::write_content(folder / "gauge.mtl", "newmtl white\nKd 0.8 0.8 0.8\nnewmtl red\nKd 0.8 0.05 0.05\n");
+    const std::string obj = folder / "gauge.obj";
+    test::write_content(obj,
+                        "mtllib gauge.mtl\no plate\nusemtl white\nv 0 -1 -1\nv 0 1 -1\nv 0 1 1\nv 0 -1 1\nf 1 2 3 4\n"
+                        "o a=b:needle\nusemtl red\nv 0.2 -0.1 -0.15\nv 0.2 0.9 -0.15\nv 0.2 0.9 0.15\nv 0.2 -0.1 0.15\n"
+                        "f 5 6 7 8\n");
+    return obj;
+}
+
+const test::Arguments kNeedle = {"--up", "z", "--part", "a=b:needle:x@0,0,0"};
+
+Picture drawn(const test::Arguments& arguments, const std::string& output)
+{
+    const test::Outcome outcome =
+        lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,0,3", "--background", "black"}));
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return read_png(output);
+}
+
+void check_refused(const test::Arguments& arguments, const std::string& word)
+{
+    const test::Outcome outcome = lumi(arguments);
+    CHECK(outcome.code != 0);
+    CHECK_THAT(outcome.err, Catch::Contains(word));
+}
+
+}  // namespace
+
+TEST_CASE("parts: a field shows the pose that the reference of the scene has, whatever its name holds")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_gauge(folder), field = folder / "gauge.lumi";
+    const test::Outcome baked =
+        lumi(joined(joined({"bake", scene, "-o", field}, kNeedle), {"--fit", "60kB", "--paths", "20", "--sky", "0.8"}));
+    INFO(baked.err);
+    REQUIRE(baked.code == 0);
+    Picture rest;
+    for (const std::string pose : {"0", "90", "-135", "540"}) {
+        const Picture field_picture = drawn({"render", field, "--part", "a=b:needle=" + pose}, folder / "f.png");
+        const Picture truth = drawn(
+            {"reference", scene, "--up", "z", "--sky", "0.8", "--spp", "16", "--part", "a=b:needle:x@0,0,0=" + pose},
+            folder / "r.png");
+        INFO(pose);
+        CHECK(psnr_db(field_picture, truth) > 24);
+        if (pose == "0") rest = field_picture;
+        CHECK((pose == "0") == (psnr_db(field_picture, rest) > 40));
+    }
+    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
+                  "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
+    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");
+}
+
+TEST_CASE("parts: words that name no part are refused with the way to write it")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_gauge(folder);
+    const auto bake = [&](const std::string& part) {
+        return test::Arguments{"bake", scene, "-o", folder / "n.lumi", "--part", part};
+    };
+    check_refused(bake("needle"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
+    check_refused(bake(":x"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
+    check_refused(bake("a=b:needle:w"), "takes an axis x, y, z");
+    check_refused(bake("a=b:needle:1,2"), "takes an axis x, y, z");
+    check_refused(bake("a=b:needle:x@1,2"), "takes a pivot X,Y,Z");
+    check_refused(bake("a=b:needle:x"), "has no pivot");
+    check_refused(joined(joined({"bake", scene, "-o", folder / "n.lumi"}, kNeedle), {"--layout", "chord"}),
+                  "a chord field has no parts that move");
+    test::write_content(folder / "s.lumi", test::small_surface_bytes());
+    check_refused({"render", folder / "s.lumi", "-o", folder / "n.png", "--part", "a=1"}, "nothing in it moves");
+}
+
+}  // namespace lumi::tools
