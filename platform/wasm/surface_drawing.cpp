@@ -56,7 +56,7 @@ uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
 uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayFormat format)
 {
     const host::SurfaceCounts counts = {field.vertex_count, field.patch_count, static_cast<SurfaceMode>(mode),
-                                        field.see_through_count};
+                                        field.see_through_count, field.part_count};
     return with_pixel(format, [&](auto pixel) { return host::surface_view_bytes<decltype(pixel)>(counts, screen); });
 }
 

@@ -102,7 +102,8 @@ float edge_for(double bytes)
 uint64_t ram_of(const PatchMesh& mesh, const host::ScreenSize& screen)
 {
     const host::SurfaceCounts counts = {static_cast<uint32_t>(mesh.positions.size()), mesh.opaque_patches(),
-                                        SurfaceMode::antialiased, mesh.see_through_patches};
+                                        SurfaceMode::antialiased, mesh.see_through_patches,
+                                        static_cast<uint32_t>(mesh.parts.size())};
     return uint64_t{host::surface_view_bytes<PixelRgb565>(counts, screen)} +
            host::stripe_pixel_bytes<PixelRgb565>(screen);
 }

@@ -126,6 +126,11 @@ PartMotion part_motion(const SurfaceField& field, uint32_t part)
             load_u32(r + part::kSpanAt)};
 }
 
+uint32_t first_patch_of_part(const SurfaceField& field, uint32_t part)
+{
+    return owner_ranges(field, part + 1).patches.begin;
+}
+
 PartName part_name(const SurfaceField& field, uint32_t part)
 {
     const uint8_t* const text = part_record(field, part) + part::kNameAt;

@@ -3,12 +3,13 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
-#include "surface/see_through_bytes.h"
+#include "surface/parts_bytes.h"
 
 namespace lumi::tools
 {
@@ -127,6 +128,65 @@ TEST_CASE("inspect -o says what it cannot write, and leaves what is there")
     check_refused({"inspect", surface, "-o", old}, 1, "f.lumi");
     CHECK(test::content_of(old) == "old");
     CHECK(folder.entries() == 3);
+}
+
+namespace
+{
+
+// Parts whose names are no identifiers, or the same one.
+void write_mover(const std::string& path)
+{
+    std::vector<lumi::test::TestPart> parts = lumi::test::three_parts();
+    parts[0].name = "second hand";
+    parts[1].name = "second-hand";
+    parts[2].name = "int";
+    write(path, lumi::test::mover_file(lumi::test::mover(lumi::test::ball(1, 0), parts)));
+}
+
+}  // namespace
+
+TEST_CASE("inspect lists what moves, and its mesh has a group for each part")
+{
+    const test::TemporaryFolder folder;
+    write_mover(folder / "f.lumi");
+    const Outcome text = lumi({"inspect", folder / "f.lumi"});
+    CHECK_THAT(text.out, Catch::Contains("  moves         second hand: turns, by any angle\n") &&
+                             Catch::Contains("  moves         second-hand: turns from -22.5 to 22.5 degrees\n") &&
+                             Catch::Contains("  moves         int: slides from -0.0625 to 0.9375 radii\n"));
+    const auto json = nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out);
+    REQUIRE(json["parts"].size() == 3);
+    CHECK(json["parts"][0]["name"] == "second hand");
+    CHECK(!json["parts"][0].contains("from"));
+    CHECK(json["parts"][1]["pivot"][1] == Approx(0.5));
+    CHECK(json["parts"][2]["motion"] == "slide");
+    CHECK(json["parts"][2]["to"] == Approx(0.9375));
+    const Mesh mesh = mesh_of(folder, "z");
+    for (const char* group : {"opaque", "second_hand", "second-hand", "int"}) CHECK(mesh.groups.count(group) == 1);
+}
+
+TEST_CASE("the header of an embedded field names its parts, in C and in C++")
+{
+    const test::TemporaryFolder folder;
+    write_mover(folder / "clock.lumi");
+    REQUIRE(lumi({"embed", folder / "clock.lumi", "-o", folder / "clock.S"}).code == 0);
+    test::write_content(folder / "main.cpp",
+                        "#include \"clock.h\"\n"
+                        "static clock_view<lumi::Screen<64, 64, 16>> view;\n"
+                        "static_assert(clock_parts::second_hand_2 == 1 && clock_part_part_int == 2, \"\");\n"
+                        "bool moves() { return view.turn(clock_parts::second_hand, 1) == lumi::ViewError::none &&\n"
+                        "    view.slide(clock_parts::part_int, 1) == lumi::ViewError::none; }\n");
+    test::write_content(folder / "main.c",
+                        "#include <lumi/lumi.h>\n#include \"clock.h\"\n"
+                        "lumi_error moves(lumi_view* view) { return lumi_turn(view, clock_part_second_hand, 1); }\n"
+                        "int parts[clock_moving_parts];\n");
+    for (const auto& [compiler, standard, file] :
+         {std::array<std::string, 3>{LUMI_CXX_COMPILER, "-std=c++17", "main.cpp"},
+          {LUMI_C_COMPILER, "-std=c99", "main.c"}}) {
+        const Outcome compiled = test::run_program({compiler, standard, "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
+                                                    "-I", LUMI_CORE_INCLUDE, "-I", folder.path(), folder / file});
+        INFO(compiled.err);
+        CHECK(compiled.code == 0);
+    }
 }
 
 }  // namespace lumi::tools

@@ -19,6 +19,7 @@
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -53,10 +54,10 @@ void append_face(uint32_t a, uint32_t b, uint32_t c, std::string& text)
     text += line;
 }
 
-void append_group(const SurfaceField& field, const char* name, uint32_t begin, uint32_t end, std::string& text)
+void append_group(const SurfaceField& field, const std::string& name, uint32_t begin, uint32_t end, std::string& text)
 {
     if (begin == end) return;
-    text += std::string("g ") + name + "\n";
+    text += "g " + name + "\n";
     for (uint32_t k = begin; k < end; ++k) {
         const auto& corner = detail::surface_patch(field, k).corner;
         append_face(corner[0], corner[1], corner[2], text);
@@ -65,8 +66,8 @@ void append_group(const SurfaceField& field, const char* name, uint32_t begin, u
 }
 
 // An OBJ file: vertices in the scene's units and axes, of which `up` is the vertical one; the triangles
-// counter-clockwise seen from outside, in a group opaque and, where there are some, a group see_through. Throws Failure
-// for a chord field, which has no mesh.
+// counter-clockwise seen from outside, in a group opaque, one for each moving part, and, where there are some, a group
+// see_through. Throws Failure for a chord field, which has no mesh.
 std::string obj_of(const FieldFile& file, baker::UpAxis up)
 {
     if (!file.is_surface())
@@ -76,7 +77,15 @@ std::string obj_of(const FieldFile& file, baker::UpAxis up)
     std::string text = "# the mesh of a LumiPath field, in the units of its scene; written by lumi inspect\n";
     for (uint32_t k = 0; k < field.vertex_count; ++k)
         append_vertex(in_scene_axes(detail::surface_vertex(field, k), up), file.sphere(), text);
-    append_group(field, "opaque", 0, field.patch_count, text);
+    uint32_t begin = 0;
+    std::string name = "opaque";
+    for (uint32_t part = 0; part < field.part_count; ++part) {
+        const uint32_t end = first_patch_of_part(field, part);
+        append_group(field, name, begin, end, text);
+        name = replaced(visible(name_of_part(field, part)), " ", "_");
+        begin = end;
+    }
+    append_group(field, name, begin, field.patch_count, text);
     append_group(field, "see_through", field.patch_count, field.patch_count + field.see_through_count, text);
     return text;
 }

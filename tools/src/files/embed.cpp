@@ -170,6 +170,48 @@ static inline size_t @SYMBOL@_size(void)
 
 }  // namespace
 
+namespace
+{
+
+std::string enum_of_parts(const std::vector<std::string>& names)
+{
+    std::string text = R"(
+/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS. */
+enum { @SYMBOL@_moving_parts = @COUNT@)";
+    for (size_t k = 0; k < names.size(); ++k) text += ", @SYMBOL@_part_" + names[k] + " = " + std::to_string(k);
+    return replaced(text, "@COUNT@", std::to_string(names.size())) + " };\n";
+}
+
+std::string namespace_of_parts(const std::vector<std::string>& names)
+{
+    std::string text = R"(
+/* Moving parts, for view.turn() and view.slide(). */
+namespace @SYMBOL@_parts
+{
+)";
+    for (size_t k = 0; k < names.size(); ++k)
+        text += "constexpr uint32_t " + names[k] + " = " + std::to_string(k) + ";\n";
+    return text + "}\n";
+}
+
+// Identifiers for the parts of a field, all different.
+std::vector<std::string> part_identifiers(const SurfaceField& field)
+{
+    std::vector<std::string> names;
+    for (uint32_t part = 0; part < field.part_count; ++part) {
+        std::string name = symbol_from(name_of_part(field, part));
+        while (name.find("__") != std::string::npos) name = replaced(name, "__", "_");
+        if (is_taken(name)) name = "part_" + name;
+        const std::string first = name;
+        for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
+            name = first + "_" + std::to_string(k);
+        names.push_back(name);
+    }
+    return names;
+}
+
+}  // namespace
+
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
                          std::optional<uint32_t> address, const std::string& purpose)
 {
@@ -188,7 +230,7 @@ extern "C" {
 @DECLARATION@
 /* lumi.h sizes its memory by these. */
 enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_see_through = @SEE_THROUGH@ };
-
+@ENUM@
 #ifdef __cplusplus
 }
 
@@ -197,7 +239,7 @@ enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_se
 #include <@HEADER@>
 template <class Screen = lumi::Screen<>, @PARAMETERS@>
 using @SYMBOL@_view = @VIEW@;
-
+@NAMESPACE@
 /* It takes so much: flash, and RAM for a view and a stripe of its pixels. The stack is not counted. */
 constexpr uint32_t @SYMBOL@_flash_bytes = @BYTES@u;
 template <class View = @SYMBOL@_view<>>
@@ -212,6 +254,9 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
+    const std::vector<std::string> parts = part_identifiers(counted);
+    result = replaced(result, "@ENUM@", parts.empty() ? "" : enum_of_parts(parts));
+    result = replaced(result, "@NAMESPACE@", parts.empty() ? "" : namespace_of_parts(parts));
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
     result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
     result = replaced(result, "@SEE_THROUGH@", std::to_string(counted.see_through_count));

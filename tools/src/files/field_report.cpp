@@ -2,6 +2,7 @@
 #include "files/field_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cinttypes>
 #include <cmath>
@@ -80,6 +81,29 @@ double longest_edge_of(const SurfaceField& field)
     return field.longest_edge_q6 / kOneQ6;
 }
 
+// In degrees, or in radii of the sphere.
+struct PartRange {
+    double from, to;
+    bool is_free;
+};
+
+PartRange range_of(const PartMotion& motion)
+{
+    const double unit = motion.slides ? 1.0 / kOneQ20 : 360 / 0x1p32, from = motion.from * unit;
+    return {from, from + motion.span * unit, !motion.slides && motion.span == UINT32_MAX};
+}
+
+void append_part(std::string& text, const std::string& name, const PartMotion& motion)
+{
+    const PartRange range = range_of(motion);
+    const std::string shown = visible(name);
+    if (range.is_free)
+        append_line(text, "  moves         %s: turns, by any angle", shown.c_str());
+    else
+        append_line(text, "  moves         %s: %s from %g to %g %s", shown.c_str(), motion.slides ? "slides" : "turns",
+                    range.from, range.to, motion.slides ? "radii" : "degrees");
+}
+
 void append_surface(std::string& text, const SurfaceField& field)
 {
     append_line(text, "  mesh          %" PRIu32 " triangles in %" PRIu32 " patches, edges up to %.2f radii",
@@ -88,6 +112,7 @@ void append_surface(std::string& text, const SurfaceField& field)
                 field.viewed_count);
     if (field.see_through_count != 0)
         append_line(text, "  see-through   %" PRIu32 " patches besides", field.see_through_count);
+    for (uint32_t k = 0; k < field.part_count; ++k) append_part(text, name_of_part(field, k), part_motion(field, k));
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
@@ -100,11 +125,29 @@ void append_chord(std::string& text, const Field& field)
                 field.row_stride_bytes);
 }
 
+nlohmann::ordered_json json_of_part(const SurfaceField& field, uint32_t part)
+{
+    const PartMotion motion = part_motion(field, part);
+    const PartRange range = range_of(motion);
+    const auto triple = [](const auto& v, double one) {
+        return std::array<double, 3>{v.x / one, v.y / one, v.z / one};
+    };
+    nlohmann::ordered_json json = {{"name", name_of_part(field, part)},
+                                   {"motion", motion.slides ? "slide" : "turn"},
+                                   {"axis", triple(motion.axis, kOneQ30)},
+                                   {"pivot", triple(motion.pivot, kOneQ20)}};
+    if (!range.is_free) json.update({{"from", range.from}, {"to", range.to}});
+    return json;
+}
+
 nlohmann::ordered_json json_of(const SurfaceField& field)
 {
+    nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+    for (uint32_t k = 0; k < field.part_count; ++k) parts.push_back(json_of_part(field, k));
     return {{"triangles", triangles_of(field)},
             {"patches", field.patch_count},
             {"see_through_patches", field.see_through_count},
+            {"parts", parts},
             {"vertices", field.vertex_count},
             {"viewed_vertices", field.viewed_count},
             {"texels", field.texel_bytes},
@@ -122,6 +165,12 @@ nlohmann::ordered_json json_of(const Field& field)
 }
 
 }  // namespace
+
+std::string name_of_part(const SurfaceField& field, uint32_t part)
+{
+    const PartName name = part_name(field, part);
+    return std::string(name.text, name.bytes);
+}
 
 uint32_t triangles_of(const SurfaceField& field)
 {
@@ -210,11 +259,14 @@ RendererName renderer_of(const SurfaceField& field)
     const uint32_t patches = std::max<uint32_t>(field.patch_count, 1);  // memory for none is no array
     const std::string drawing =
         "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
-    const std::string glass = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
-    const bool is_plain = field.see_through_count == 0 && field.viewed_count == 0;
+    std::string last = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
+    if (field.part_count != 0)
+        last = ", " + std::to_string(field.see_through_count) + ", " + std::to_string(field.vertex_count) + ", " +
+               std::to_string(field.part_count);
+    const bool is_plain = last.empty() && field.viewed_count == 0;
     return named("lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
-                 drawing, "Finest" + (is_plain ? ", 0, 0" : glass),
-                 glass.empty() ? "" : ", lumi::SurfaceMode::antialiased" + glass);
+                 drawing, "Finest" + (is_plain ? ", 0, 0" : last),
+                 last.empty() ? "" : ", lumi::SurfaceMode::antialiased" + last);
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ struct PartName {
     const char* text;
     uint32_t bytes;
 };
-// Return them for a part below part_count.
+// Return them, and the first of its patches, for a part below part_count.
 PartMotion part_motion(const SurfaceField& field, uint32_t part);
 PartName part_name(const SurfaceField& field, uint32_t part);
+uint32_t first_patch_of_part(const SurfaceField& field, uint32_t part);
 
 }  // namespace lumi
 
