@@ -146,7 +146,7 @@ lumi_error lumi_turn(lumi_view* view, uint32_t part, uint32_t turns32);
 lumi_error lumi_slide(lumi_view* view, uint32_t part, int32_t offset_q20);
 
 /* Tells the rectangles beside which the last look changed no pixel. Their sides are multiples of `align` as far as the
- * image reaches. At the first look, and without LUMI_C_PARTS, it is the image. Nothing without a view or a look. */
+ * image reaches. At the first look, without LUMI_C_PARTS, and of chord fields it is the image. Nothing without a view or a look. */
 typedef struct {
     lumi_rect rect[4];
     uint32_t count;

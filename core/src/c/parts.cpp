@@ -20,6 +20,7 @@ lumi_changes lumi_changed(const lumi_view* view, uint32_t align_x, uint32_t alig
 {
     lumi_changes result = {};
     if (view == nullptr) return result;
+    if (view->has_spans()) return {{{0, 0, view->screen().width_px, view->screen().height_px}}, 1};
     const ChangedRects changed = view->changed(align_x, align_y);
     for (; result.count < changed.count; ++result.count) {
         const PixelRect& r = changed.rect[result.count];

@@ -76,10 +76,7 @@ public:
         return is_chord_ ? ViewError::other_renderer : surface_.slide(part, offset_q20);
     }
 
-    ChangedRects changed(uint32_t align_x, uint32_t align_y) const
-    {
-        return is_chord_ ? ChangedRects{} : surface_.changed(align_x, align_y);
-    }
+    ChangedRects changed(uint32_t align_x, uint32_t align_y) const { return surface_.changed(align_x, align_y); }
 
     template <class Background>
     ViewError draw(const Stripe& stripe, const PixelSize& part, const Background& background, uint32_t*) const

@@ -49,8 +49,7 @@ FieldError read_surface(const uint8_t* b, SurfaceField& out)
     out.colour_space = static_cast<ColourSpace>(b[surface::kColourSpaceAt]);
     BoundsBits bounds;
     if (!read_bounds(b + surface::kCentreAt, b + surface::kRadiusAt, bounds)) return FieldError::bad_bounds;
-    for (uint32_t k = 0; k < 3; ++k) out.centre_bits[k] = bounds.centre[k];
-    out.radius_bits = bounds.radius;
+    out.sphere = b + surface::kCentreAt;
     return read_counts(b, out);
 }
 

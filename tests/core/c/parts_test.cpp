@@ -35,6 +35,17 @@ TEST_CASE("fields that rest change as a whole, and do not turn")
 
 #ifdef LUMI_C_PARTS
 
+TEST_CASE("chord fields change as a whole, and do not turn")
+{
+    const ViewInC view(chord_bytes(TexelFormat::rgb565), 4);
+    CHECK(lumi_turn(view.get(), 0, 0) == code(ViewError::other_renderer));
+    CHECK(lumi_slide(view.get(), 0, 0) == code(ViewError::other_renderer));
+    REQUIRE(lumi_look(view.get(), kOrbit) == 0);
+    const lumi_changes changed = lumi_changed(view.get(), 16, 16);
+    REQUIRE(changed.count == 1);
+    CHECK(changed.rect[0].width_px == kWidth);
+}
+
 TEST_CASE("parts that C moves are drawn as those that C++ moves")
 {
     using MovingView = lumi::View<SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 9, 200, 3>, TestScreen>;

@@ -8,7 +8,7 @@
 #include "lumi/chord/view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/surface/view.h"
-#include "surface/see_through_bytes.h"
+#include "surface/parts_bytes.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -138,4 +138,25 @@ TEST_CASE("pictures of surface fields are the same on every machine")
     fine.code_bits = 7;
     CHECK(crc_of_surfaces<0>(surface_file(fine)) == 0x61966709);
     CHECK(crc_of_surfaces<64>(see_through_file(bumpy_ball(), 70)) == 0xb0dff10c);
+}
+
+// The eye rests in every other frame, and one part or all have moved since the last one.
+TEST_CASE("pictures of moving parts are the same on every machine, and so is what has changed")
+{
+    using Drawing = SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 9, 200, 3>;
+    static lumi::View<Drawing, Small> view;
+    const Bytes bytes = mover_file(moving_ball(9));
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    uint32_t of_changes = 0;
+    const uint32_t of_frames = crc_of_frames(60, [&](uint32_t k, const Stripe& stripe) {
+        REQUIRE(view.turn(0, scattered(k) << 8) == ViewError::none);
+        if (k % 3 == 0) REQUIRE(view.turn(1, scattered(k + 1) << 8) == ViewError::none);
+        if (k % 3 == 0) REQUIRE(view.slide(2, static_cast<int32_t>(scattered(k + 2) % 900000)) == ViewError::none);
+        REQUIRE(view.look(eye(k / 2), static_cast<SurfaceMode>(k / 2 % 3)) == ViewError::none);
+        REQUIRE(view.draw(stripe, OverColour{{40, 80, 160}}) == ViewError::none);
+        const ChangedRects changed = view.changed(2, 3);
+        of_changes = crc_of(of_changes, changed.rect, changed.count * sizeof changed.rect[0]);
+    });
+    CHECK(of_frames == 0x9067a8f4);
+    CHECK(of_changes == 0x2d485f39);
 }

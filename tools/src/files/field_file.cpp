@@ -71,8 +71,13 @@ float float_from_bits(uint32_t bits)
     return value;
 }
 
-template <class AnyField>
-FieldSphere sphere_of(const AnyField& field)
+FieldSphere sphere_of(const SurfaceField& field)
+{
+    const auto number = [&](size_t k) { return float_from_bits(read_u32(field.sphere + 4 * k)); };
+    return {{number(0), number(1), number(2)}, number(3)};
+}
+
+FieldSphere sphere_of(const Field& field)
 {
     const auto& bits = field.centre_bits;
     return {{float_from_bits(bits[0]), float_from_bits(bits[1]), float_from_bits(bits[2])},

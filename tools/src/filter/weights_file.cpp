@@ -135,9 +135,13 @@ Subject subject_of(const tools::FieldFile& field)
     digest.add_bytes(field.bytes(), field.size());
     Subject subject;
     subject.field = digest.value();
-    const auto& centre = field.is_surface() ? field.surface().centre_bits : field.field().centre_bits;
-    const uint32_t radius = field.is_surface() ? field.surface().radius_bits : field.field().radius_bits;
-    subject.sphere = {centre[0], centre[1], centre[2], radius};
+    if (field.is_surface()) {
+        for (size_t k = 0; k < subject.sphere.size(); ++k)
+            subject.sphere[k] = detail::container::load_u32(field.surface().sphere + 4 * k);
+    } else {
+        const auto& centre = field.field().centre_bits;
+        subject.sphere = {centre[0], centre[1], centre[2], field.field().radius_bits};
+    }
     return subject;
 }
 

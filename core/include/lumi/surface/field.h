@@ -35,6 +35,8 @@ struct SurfaceField {
     const uint8_t* views = nullptr;         // the view tables of vertices 0 .. viewed_count - 1
     const uint8_t* neighbours = nullptr;    // as many × kNeighbourBytes, or null
     const uint8_t* see_through = nullptr;   // the section of see-through parts, or null
+    const uint8_t* parts = nullptr;         // the records of moving parts, part_count × kPartBytes, or null
+    const uint8_t* sphere = nullptr;        // centre and radius: 4 × IEEE binary32, with which core never computes
     uint32_t texel_bytes = 0;
     uint16_t vertex_count = 0, viewed_count = 0;
     uint16_t patch_count = 0, see_through_count = 0;  // see-through patches lie behind the opaque ones
@@ -42,9 +44,6 @@ struct SurfaceField {
     uint8_t code_bits = 0;        // of view tables
     uint8_t longest_edge_q6 = 0;  // radii
     uint8_t part_count = 0;
-    uint32_t centre_bits[3] = {};  // IEEE binary32 patterns: core never computes with them
-    uint32_t radius_bits = 0;
-    const uint8_t* parts = nullptr;  // the records of moving parts, part_count × kPartBytes, or null
 };
 
 // How a part moves, and how far: formats of surface/format.h.

@@ -35,7 +35,7 @@ constexpr uint32_t stripe_pixel_bytes(const ScreenSize& screen)
 template <class Pixel>
 constexpr uint32_t surface_view_bytes(const SurfaceCounts& field, const ScreenSize& screen)
 {
-    constexpr uint32_t kNumbers = 1360, kWord = 4, kHalf = 2, kVertex = 12;
+    constexpr uint32_t kNumbers = 1336, kWord = 4, kHalf = 2, kVertex = 12;
     const auto words = [](uint32_t bytes) { return (bytes + kWord - 1) / kWord * kWord; };
     const uint32_t patches = field.patches == 0 ? 1 : field.patches;  // memory for none is no array
     const uint32_t bands = surface_bands(screen.height_px, surface_band_log2(screen.stripe_rows()));
