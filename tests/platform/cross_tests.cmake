@@ -189,7 +189,11 @@ add_test(NAME proof.finds_view_tables
   COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
     -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/tests/cross/lumi_three_calls.elf
     -D "FORBIDDEN=${lumi_view_table_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-list(APPEND lumi_proof_tests proof.finds_view_tables)
+add_test(NAME proof.finds_moving_parts
+  COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
+    -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/core/liblumi_core.a
+    -D "FORBIDDEN=${lumi_part_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+list(APPEND lumi_proof_tests proof.finds_view_tables proof.finds_moving_parts)
 foreach(what other_calls chord_symbols)
   add_test(NAME proof.finds_${what}
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
