@@ -13,7 +13,7 @@ using namespace detail::container;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-// What fields of all kinds may have, between the other two.
+// All but the first and the last may be in fields of every kind.
 constexpr uint32_t kSurfaceSections[] = {kSeeThroughSection, kSurfaceSection,   kVertexSection,
                                          kPatchSection,      kColourSection,    kPaletteRgb,
                                          kViewSection,       kNeighbourSection, kPartsSection};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What prepares and draws moving parts, of one core and of two.
+// One core and two prepare moving parts by these.
 #pragma once
 
 #include "lumi/surface/parts.h"

@@ -66,7 +66,7 @@ private:
     PreparedFrame made_;
 };
 
-// The same file without what moves.
+// Returns the file without its section of moving parts.
 Bytes resting_file(const TestMover& m)
 {
     std::vector<TestSection> sections = mover_sections(m);

@@ -12,8 +12,8 @@
 namespace lumi
 {
 
-// What a field may have besides opaque triangles that rest, and that a firmware draws or not: a mask, the same in every
-// call. What draws the others is not linked. `parts` are those that move.
+// A field may have these besides opaque triangles that rest, and a firmware draws them or not: a mask, the same in
+// every call. Code that draws the others is not linked. `parts` are those that move.
 enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, parts = 4, all = 7 };
 
 constexpr SurfaceFeatures operator|(SurfaceFeatures a, SurfaceFeatures b)

@@ -179,8 +179,8 @@ inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)
     return field.part_count != 0 && memory.features != nullptr;
 }
 
-// What a frame whose parts may move begins with. The body is kept if its vertices, lists and light are those of the
-// frame before, because the eye and the mode are.
+// Tells how a frame whose parts may move begins. The body is kept where its vertices, lists and light are those of the
+// frame before, because eye and mode are.
 enum class MovingStart : uint8_t { nothing_shows, new_body, kept_body };
 MovingStart begin_moving(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode mode,
                          const SurfaceMemory& memory, SurfaceFrame& out);
