@@ -135,7 +135,10 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
     };
     Job job(1, 0, go_on);
     BakeStages nothing_kept({}, {});
-    const std::vector<uint8_t> bytes = surface_file(shape, solved(state, basis->sphere, nothing_kept, job));
+    FieldParts parts = solved(state, basis->sphere, nothing_kept, job);
+    FitShape with_shadows = shape;
+    add_shadows(basis->shadows.shadows, with_shadows, parts);
+    const std::vector<uint8_t> bytes = surface_file(with_shadows, parts);
     leave_if_cancelled();
     NewFile out(output);
     out.append(bytes);

@@ -151,8 +151,10 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine)
 
 uint32_t PatchMesh::owner_of(uint32_t patch) const
 {
+    const bool is_opaque = patch < opaque_patches();
     uint32_t owner = 0;
-    while (owner < parts.size() && parts[owner].first_patch <= patch && patch < opaque_patches()) ++owner;
+    for (uint32_t k = 0; k < parts.size(); ++k)
+        if ((parts[k].follows == 0) == is_opaque && parts[k].first_patch <= patch) owner = k + 1;
     return owner;
 }
 

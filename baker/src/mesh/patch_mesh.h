@@ -27,6 +27,7 @@ struct MovingPart {
     Vec3 axis, pivot;  // unit length; a point of the axis, of a turn
     double from = 0, to = 1;
     uint32_t first_patch = 0;  // its patches run to the next part's, the last part's to the end of the opaque ones
+    uint32_t follows = 0;      // k: the shadow of parts[k - 1], which moves as that does; such ones come last
 };
 
 struct PatchMesh {

@@ -79,18 +79,23 @@ void add_neighbours(const PatchMesh& mesh, uint32_t first, uint32_t end, std::ve
 std::vector<uint32_t> owner_ends(const PatchMesh& mesh)
 {
     std::vector<uint32_t> ends = {0};
-    for (const MovingPart& part : mesh.parts) ends.push_back(part.first_patch);
+    for (const MovingPart& part : mesh.parts)
+        if (part.follows == 0) ends.push_back(part.first_patch);
     ends.push_back(mesh.opaque_patches());
     return ends;
 }
 
-// In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches.
+// In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches. A
+// shadow fades to nothing: its border counts as its own neighbour, so that no outline is drawn there.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 {
     std::vector<uint32_t> ends = owner_ends(mesh);
     ends.push_back(static_cast<uint32_t>(mesh.patches.size()));
     std::vector<std::array<uint16_t, 4>> result;
     for (size_t k = 1; k < ends.size(); ++k) add_neighbours(mesh, ends[k - 1], ends[k], result);
+    for (uint32_t p = mesh.opaque_patches(); p < result.size(); ++p)
+        for (uint32_t side = 0; mesh.owner_of(p) != 0 && side < 4; ++side)
+            if (result[p][side] == kNothingAcross) result[p][side] = static_cast<uint16_t>(2 * p + side / 2);
     return result;
 }
 
@@ -102,14 +107,11 @@ struct Contents {
 // By vertex: 0 for the body, k for part k - 1. Parts share no vertices.
 std::vector<uint32_t> owners_of(const PatchMesh& mesh)
 {
-    const std::vector<uint32_t> ends = owner_ends(mesh);
     std::vector<uint32_t> owners(mesh.positions.size());
-    for (uint32_t owner = 1; owner <= mesh.parts.size(); ++owner) {
-        for (uint32_t p = ends[owner]; p < ends[owner + 1]; ++p) {
-            const PatchMesh::Patch& patch = mesh.patches[p];
-            for (const uint32_t v : {patch.a, patch.b, patch.c, patch.d})
-                if (v != PatchMesh::kNone) owners[v] = owner;
-        }
+    for (uint32_t p = 0; p < mesh.patches.size(); ++p) {
+        const PatchMesh::Patch& patch = mesh.patches[p];
+        for (const uint32_t v : {patch.a, patch.b, patch.c, patch.d})
+            if (v != PatchMesh::kNone) owners[v] = mesh.owner_of(p);
     }
     return owners;
 }
@@ -277,8 +279,8 @@ void put_vector(Bytes& b, size_t at, const Vec3& v, double one)
 void put_part(Bytes& b, size_t record, const MovingPart& part)
 {
     namespace at = detail::format::part;
-    b.put16(record + at::kFirstPatchAt, static_cast<uint16_t>(part.first_patch));
     b.put8(record + at::kMotionAt, part.slides ? 1 : 0);
+    b.put8(record + at::kFollowsAt, static_cast<uint8_t>(part.follows));
     put_vector(b, record + at::kAxisAt, part.axis, kOneQ30);
     if (!part.slides) put_vector(b, record + at::kPivotAt, part.pivot, kOneQ20);
     const double one = part.slides ? double{kOneQ20} : 0x1p32;
@@ -299,6 +301,9 @@ std::vector<uint8_t> parts_section(const PatchMesh& mesh, const VertexOrder& ord
     for (uint32_t k = 0; k < count; ++k) {
         const size_t record = format::kPartsHeaderBytes + k * format::kPartBytes;
         put_part(b, record, mesh.parts[k]);
+        const MovingPart& part = mesh.parts[k];
+        const uint32_t first_patch = part.follows == 0 ? part.first_patch : mesh.opaque_patches();
+        b.put16(record + format::part::kFirstPatchAt, static_cast<uint16_t>(first_patch));
         const uint32_t first_viewed = order.first_of(k + 1, 0, order.viewed);
         const uint32_t first_plain = order.first_of(k + 1, order.viewed, all);
         b.put16(record + format::part::kFirstViewedAt, static_cast<uint16_t>(first_viewed));

@@ -177,17 +177,19 @@ std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner)
                                 scene.mesh, [&](size_t t) { return scene.moving.owners[t] == owner; }));
 }
 
+std::unique_ptr<SceneData> lit_with(const SceneData& scene, uint32_t owner, double value)
+{
+    MovingParts moving = scene.moving;
+    for (PartMovement& movement : moving.motions) movement.value = 0;
+    if (owner != 0) moving.motions[owner - 1].value = value;
+    return with_mesh(scene, part_of(moving.posed(scene.mesh),
+                                    [&](size_t t) { return moving.owners[t] == 0 || moving.owners[t] == owner; }));
+}
+
 LitScenes::LitScenes(const SceneData& scene) : scene_(scene)
 {
     if (scene.moving.empty()) return;
-    for (uint32_t owner = 0; owner < owners(); ++owner) {
-        parts_.push_back(with_mesh(scene, part_of(
-                                              scene.mesh,
-                                              [&](size_t t) {
-                                                  const uint32_t of = scene.moving.owners[t];
-                                                  return of == 0 || of == owner;
-                                              })));
-    }
+    for (uint32_t owner = 0; owner < owners(); ++owner) parts_.push_back(lit_with(scene, owner, 0));
 }
 
 }  // namespace lumi::baker

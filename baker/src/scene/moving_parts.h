@@ -19,6 +19,8 @@ void set_moving_parts(const std::filesystem::path& file, const std::vector<PartO
 std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh);
 // Only the triangles of one owner: 0 of the body, k of the k-th part.
 std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner);
+// The body, and one part in a pose.
+std::unique_ptr<SceneData> lit_with(const SceneData& scene, uint32_t owner, double value);
 
 // What lights a surface field's triangles, by owner: the body stands alone, and each part with the body. So no part
 // casts a shadow that would stay where it is. Where nothing moves, it is the scene.

@@ -6,6 +6,7 @@
 #include "fit/light_fit.h"
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"
+#include "pack/shadow_patches.h"
 #include "store/bake_identity.h"
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
@@ -67,7 +68,8 @@ FitBasis basis_of(const SceneData& scene, const BuiltMesh& built, const SurfaceS
                       built.loss,
                       scene.tone,
                       {scene.centre, scene.radius},
-                      {}};
+                      {},
+                      part_shadows(scene, built.mesh, settings, progress)};
     basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, progress);
     return basis;
 }
@@ -108,6 +110,7 @@ public:
           stages_(output.empty() ? output : stages_of(output), scene.fingerprint(), settings),
           loss_(basis.loss),
           sphere_(basis.sphere),
+          shadows_(std::move(basis.shadows)),
           shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through)),
           tone_(basis.tone),
           state_(shape_, tone_),
@@ -131,10 +134,13 @@ public:
 
     SurfaceBake field()
     {
-        const FieldParts parts = solved(state_, sphere_, stages_, job_);
+        FieldParts parts = solved(state_, sphere_, stages_, job_);
         job_.finish();
         SurfaceBake bake;
-        bake.file = surface_file(shape_, parts);
+        FitShape shape = shape_;
+        add_shadows(shadows_.shadows, shape, parts);
+        bake.notes = shadows_.notes;
+        bake.file = surface_file(shape, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
         for (const ViewCode& view : parts.views) bake.viewed_vertices += view.is_there() ? 1u : 0u;
         bake.triangles = triangle_count(shape_.mesh);
@@ -161,6 +167,7 @@ private:
     BakeStages stages_;
     const MeshLoss loss_;
     const FieldSphere sphere_;
+    const PartShadows shadows_;
     const FitShape shape_;
     const EncodedTone tone_;
     FitState state_;

@@ -36,6 +36,11 @@ bool is_sound(const FitBasis& basis)
            std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3& n) { return is_within(n, kReach); }) &&
            std::all_of(basis.densities.begin(), basis.densities.end(),
                        [](float d) { return d >= 0 && is_within(d, kMostDensity); }) &&
+           std::all_of(basis.shadows.shadows.begin(), basis.shadows.shadows.end(),
+                       [](const PartShadow& s) {
+                           return is_within(s.pivot, kReach) && is_within(s.corner, kReach) &&
+                                  is_within(s.across, kReach) && is_within(s.down, kReach);
+                       }) &&
            std::all_of(basis.see_through.begin(), basis.see_through.end(), [](const SeeThroughTexel& t) {
                const Rgb& light = t.behind;
                return is_within(t.coverage, 1) && is_within(t.open, 1) &&
@@ -53,9 +58,7 @@ void fields(Io& io, PatchMesh::Patch& patch)
 template <class Io>
 void fields(Io& io, MovingPart& part)
 {
-    std::vector<char> name(part.name.begin(), part.name.end());
-    io(name, part.slides, part.axis, part.pivot, part.from, part.to, part.first_patch);
-    part.name.assign(name.begin(), name.end());
+    io(part.name, part.slides, part.axis, part.pivot, part.from, part.to, part.first_patch);
 }
 template <class Io>
 void fields(Io& io, PatchMesh& mesh)
@@ -77,7 +80,8 @@ void fields(Io& io, FitBasis& basis)
 {
     uint32_t tag = kBasisTag;
     io(tag, basis.mesh, basis.densities, basis.loss, basis.tone, basis.sphere.centre, basis.sphere.radius,
-       basis.see_through);
+       basis.see_through, basis.shadows);
+    for (const PartShadow& shadow : basis.shadows.shadows) io.require(shadow.part < basis.mesh.parts.size());
     io.require(tag == kBasisTag && basis.densities.size() == basis.mesh.patches.size() && is_sound(basis));
 }
 

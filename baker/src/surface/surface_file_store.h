@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "fit/part_shadows.h"
 #include "pack/solution.h"
 #include "store/block_file.h"
 
@@ -24,6 +25,7 @@ struct FitBasis {
     ToneCurve tone;
     FieldSphere sphere;
     std::vector<SeeThroughTexel> see_through;  // FitShape
+    PartShadows shadows;
 };
 
 // As bytes for checkpoints and shards.

@@ -9,6 +9,7 @@
 #include "lumi/baker/surface.h"
 #include "lumi/surface/format.h"
 #include "mesh/patch_mesh.h"
+#include "pack/shadow_patches.h"
 #include "pack/view_quantiser.h"
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
@@ -62,6 +63,7 @@ uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius)
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
           patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
         bytes += aligned(section);
+    bytes += aligned(most_shadow_bytes(mesh.parts.size()));
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -53,6 +54,11 @@ private:
             put(bits_of<uint64_t>(v));
         else
             fields(*this, const_cast<T&>(v));
+    }
+    void put(const std::string& text)
+    {
+        put64(text.size());
+        for (const char c : text) put8(static_cast<uint8_t>(c));
     }
     template <class T>
     void put(const std::vector<T>& values)
@@ -128,6 +134,11 @@ private:
         } else {
             fields(*this, v);
         }
+    }
+    void get(std::string& text)
+    {
+        text.clear();
+        for (uint64_t left = get64(); left != 0 && sound_; --left) text.push_back(static_cast<char>(get8()));
     }
     // Grows as entries arrive: sizes may be anything.
     template <class T>

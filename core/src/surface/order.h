@@ -4,6 +4,8 @@
 // pieces. So the larger one of two is drawn later.
 #pragma once
 
+#include "lumi/surface/detail/see_through.h"
+#include "surface/fill.h"
 #include "surface/lists.h"
 #include "surface/projection.h"
 
@@ -73,6 +75,21 @@ inline bool has_outline(const SurfaceFrame& frame, uint32_t triangle)
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
     return is_outline(frame, patch, triangle, 0) || is_outline(frame, patch, triangle, 1) ||
            is_outline(frame, patch, triangle, 2);
+}
+
+template <class Begin>
+LUMI_ALWAYS_INLINE bool SeeThroughPieces::next_of(const Begin& begin)
+{
+    if (piece.is_wide && next_part_of_wide(piece)) return true;
+    while (true) {
+        if (cut_.count != 0 && begin_piece(piece, frame_, cut_, target_)) return true;
+        if (at_ == frame_.see_through_triangles) return false;
+        const uint32_t entry = frame_.memory.features[at_++], triangle = triangle_of(entry);
+        if ((entry & kIsCut) != 0)
+            begin(triangle);
+        else if (begin_whole(piece, frame_, triangle, target_))
+            return true;
+    }
 }
 
 }  // namespace lumi::detail

@@ -25,6 +25,12 @@ inline const uint8_t* part_record(const SurfaceField& field, uint32_t part)
     return field.parts + part * format::kPartBytes;
 }
 
+// 0 for a part that moves by itself, k for a shadow of part k - 1.
+inline uint32_t followed(const SurfaceField& field, uint32_t part)
+{
+    return part_record(field, part)[format::part::kFollowsAt];
+}
+
 // Owner 0 is the body, owner k is part k - 1.
 inline OwnerRanges owner_ranges(const SurfaceField& field, uint32_t owner)
 {

@@ -31,23 +31,37 @@ bool is_near(int64_t q20)
     return q20 >= -kFarthestQ20 && q20 <= kFarthestQ20;
 }
 
-bool is_name(const uint8_t* text)
+// Zeros alone are no name.
+bool is_name_or_none(const uint8_t* text)
 {
     uint32_t end = 0;
     while (end < part::kNameBytes && text[end] != 0) ++end;
     for (uint32_t k = end; k < part::kNameBytes; ++k)
         if (text[k] != 0) return false;
-    return end != 0;
+    return true;
 }
 
 bool is_record(const uint8_t* record, const PartMotion& m)
 {
-    if (record[part::kMotionAt] > 1 || record[part::kReservedAt] != 0 || !is_unit(m.axis)) return false;
+    if (record[part::kMotionAt] > 1 || !is_unit(m.axis)) return false;
     if (!is_near(m.pivot.x) || !is_near(m.pivot.y) || !is_near(m.pivot.z)) return false;
     if (m.slides &&
         ((m.pivot.x | m.pivot.y | m.pivot.z) != 0 || !is_near(m.from) || !is_near(int64_t{m.from} + m.span)))
         return false;
-    return is_name(record + part::kNameAt);
+    const bool has_name = record[part::kNameAt] != 0, follows = record[part::kFollowsAt] != 0;
+    return has_name != follows && is_name_or_none(record + part::kNameAt);
+}
+
+// Whether what does not move by itself follows what does, in the same way.
+bool has_sound_shadows(const SurfaceField& field)
+{
+    const uint32_t movers = mover_count(field);
+    for (uint32_t k = movers; k < field.part_count; ++k) {
+        const uint32_t leader = followed(field, k);
+        if (leader == 0 || leader > movers) return false;
+        if (part_motion(field, leader - 1).slides != part_motion(field, k).slides) return false;
+    }
+    return true;
 }
 
 // Whether ranges follow each other within those of the field.
@@ -58,7 +72,9 @@ bool are_in_order(const SurfaceField& field)
         const OwnerRanges r = owner_ranges(field, owner);
         if (!is_range(r.viewed, field.viewed_count) || !is_range(r.plain, field.vertex_count) ||
             !is_range(r.patches, field.patch_count) || r.plain.begin < field.viewed_count ||
-            (owner != 0 && r.patches.begin == r.patches.end))
+            (owner != 0 && owner <= mover_count(field) && r.patches.begin == r.patches.end))
+            return false;
+        if (owner > mover_count(field) && (r.patches.begin != r.patches.end || r.viewed.begin != r.viewed.end))
             return false;
     }
     return true;
@@ -82,6 +98,15 @@ bool own_neighbours(const SurfaceField& field, const NumberRange& patches)
     return true;
 }
 
+// The shadow, as an owner, that has a patch's first corner; 0 for the body.
+uint32_t shadow_of(const SurfaceField& field, uint32_t patch)
+{
+    const uint32_t corner = surface_patch(field, patch).corner[0];
+    for (uint32_t owner = mover_count(field) + 1; owner <= field.part_count; ++owner)
+        if (owner_ranges(field, owner).plain.has(corner)) return owner;
+    return 0;
+}
+
 FieldError check_owners(const SurfaceField& field)
 {
     if (!are_in_order(field)) return FieldError::bad_parts;
@@ -91,9 +116,9 @@ FieldError check_owners(const SurfaceField& field)
         if (field.neighbours != nullptr && !own_neighbours(field, r.patches)) return FieldError::bad_neighbours;
     }
     const uint32_t opaque = field.patch_count;
-    return own_corners(field, owner_ranges(field, 0), {opaque, opaque + field.see_through_count})
-               ? FieldError::none
-               : FieldError::bad_parts;
+    for (uint32_t k = opaque; k < opaque + field.see_through_count; ++k)
+        if (!own_corners(field, owner_ranges(field, shadow_of(field, k)), {k, k + 1})) return FieldError::bad_parts;
+    return FieldError::none;
 }
 
 }  // namespace
@@ -112,7 +137,14 @@ FieldError detail::read_parts(const uint8_t* bytes, SurfaceField& field)
     field.part_count = static_cast<uint8_t>(count);
     for (uint32_t k = 0; k < count; ++k)
         if (!is_record(part_record(field, k), part_motion(field, k))) return FieldError::bad_parts;
-    return check_owners(field);
+    return has_sound_shadows(field) ? check_owners(field) : FieldError::bad_parts;
+}
+
+uint32_t mover_count(const SurfaceField& field)
+{
+    uint32_t count = 0;
+    while (count < field.part_count && followed(field, count) == 0) ++count;
+    return count;
 }
 
 PartMotion part_motion(const SurfaceField& field, uint32_t part)

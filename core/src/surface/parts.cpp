@@ -4,6 +4,7 @@
 
 #include "surface/fill.h"
 #include "surface/moving.h"
+#include "surface/order.h"
 
 namespace lumi
 {
@@ -164,13 +165,15 @@ void unlist(const SurfaceFrame& frame)
     }
 }
 
-// The projection of the part that has a patch, or null.
-const SurfaceProjection* projection_of(const SurfaceFrame& frame, uint32_t patch)
+// The corners of a cut triangle of a part are where the part is.
+void place_cut(const SurfaceFrame& frame, CutTriangle& cut)
 {
-    if (!may_move(frame.field, frame.memory)) return nullptr;
-    for (uint32_t k = frame.field.part_count; k-- > 0;)
-        if (patch >= owner_ranges(frame.field, k + 1).patches.begin) return &moving_part(parts_of(frame), k).projection;
-    return nullptr;
+    if (!may_move(frame.field, frame.memory)) return;
+    for (uint32_t part = frame.field.part_count; part-- > 0;) {
+        if (!owner_ranges(frame.field, part + 1).has_vertex(cut.vertex[0])) continue;
+        const SurfaceProjection& own = moving_part(parts_of(frame), part).projection;
+        for (int k = 0; k < 3; ++k) cut.view[k] = moved_point(own, surface_vertex(frame.field, cut.vertex[k]));
+    }
 }
 
 }  // namespace
@@ -248,6 +251,8 @@ void detail::put_parts(SurfaceFrame& frame, bool keeps_body)
         SurfacePart& part = moving_part(parts, k);
         const OwnerRanges owner = owner_ranges(frame.field, k + 1);
         frame.projection = body;
+        if (const uint32_t leader = followed(frame.field, k); leader != 0)
+            part.value = moving_part(parts, leader - 1).value;
         move(frame.projection, part_motion(frame.field, k), part.value);
         part.shown_before = part.shown;
         frame.is_whole = frame.is_narrow = false;  // where it is not known
@@ -261,7 +266,7 @@ void detail::put_parts(SurfaceFrame& frame, bool keeps_body)
         all = joined(all, part.shown);
     }
     frame.projection = body;
-    frame.is_whole = is_whole;
+    frame.is_whole = is_whole && frame.field.part_count == mover_count(frame.field);  // shadows are not known
     frame.columns = {all.left, all.right};
     frame.scanlines = {all.top, all.bottom};
 }
@@ -274,14 +279,22 @@ LUMI_HOT bool detail::MovingPieces::next()
     return next_cut();
 }
 
+LUMI_HOT bool detail::MovingSeeThroughPieces::next()
+{
+    return next_of(
+        [&](uint32_t triangle) __attribute__((always_inline)) {
+            begin_cut(cut_, frame_, triangle);
+            place_cut(frame_, cut_);
+        });
+}
+
 __attribute__((noinline)) bool detail::MovingPieces::next_cut()
 {
     while (true) {
         if (begin_piece(piece, frame_, cut_, target_)) return true;
         if (other_ == kEmptyBand) return false;
         begin_cut(cut_, frame_, other_);
-        if (const SurfaceProjection* const own = projection_of(frame_, other_ >> 1); own != nullptr)
-            for (int k = 0; k < 3; ++k) cut_.view[k] = moved_point(*own, surface_vertex(frame_.field, cut_.vertex[k]));
+        place_cut(frame_, cut_);
         other_ = after(other_, frame_.memory.links[other_]);
     }
 }
@@ -297,7 +310,7 @@ bool set_value(const SurfaceField& field, const SurfaceMemory& memory, uint32_t 
 
 bool can_move(const SurfaceField& field, const SurfaceMemory& memory, uint32_t part, bool slides)
 {
-    return may_move(field, memory) && part < field.part_count && part_motion(field, part).slides == slides;
+    return may_move(field, memory) && part < mover_count(field) && part_motion(field, part).slides == slides;
 }
 
 }  // namespace

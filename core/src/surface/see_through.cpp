@@ -76,16 +76,8 @@ void put_see_through(SurfaceFrame& frame)
 
 LUMI_HOT bool SeeThroughPieces::next()
 {
-    if (piece.is_wide && next_part_of_wide(piece)) return true;
-    while (true) {
-        if (cut_.count != 0 && begin_piece(piece, frame_, cut_, target_)) return true;
-        if (at_ == frame_.see_through_triangles) return false;
-        const uint32_t entry = frame_.memory.features[at_++], triangle = triangle_of(entry);
-        if ((entry & kIsCut) != 0)
-            begin_cut(cut_, frame_, triangle);
-        else if (begin_whole(piece, frame_, triangle, target_))
-            return true;
-    }
+    return next_of(
+        [&](uint32_t triangle) __attribute__((always_inline)) { begin_cut(cut_, frame_, triangle); });
 }
 
 }  // namespace lumi::detail

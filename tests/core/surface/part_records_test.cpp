@@ -109,7 +109,7 @@ TEST_CASE("numbers of moving parts that are out of range are refused")
     for (const uint32_t at : {part::kFirstViewedAt, part::kFirstPlainAt, part::kFirstPatchAt})
         for (const uint32_t first : {0u, 1u, 0x7FFFu, 0xFFFFu}) CHECK(opened_with(at, 2, first) != FieldError::none);
     CHECK(opened_with(part::kMotionAt, 1, 2) == FieldError::bad_parts);
-    CHECK(opened_with(part::kReservedAt, 1, 1) == FieldError::bad_parts);
+    CHECK(opened_with(part::kFollowsAt, 1, 1) == FieldError::bad_parts);
     CHECK(opened_with(part::kAxisAt, 4, 1u << 24) == FieldError::none);  // it becomes longer by 2^-13
     CHECK(opened_with(part::kAxisAt, 4, 1u << 26) == FieldError::bad_parts);
     CHECK(opened_with(part::kAxisAt + 8, 4, 0x80000000) == FieldError::bad_parts);
@@ -157,4 +157,22 @@ TEST_CASE("patches of moving parts that have others' vertices or neighbours are 
     CHECK(with_neighbour(0, 2 * first_of_parts) == FieldError::bad_neighbours);
     CHECK(with_neighbour(first_of_parts, 2 * first_of_parts + 1) == FieldError::none);
     CHECK(with_neighbour(first_of_parts, 2 * first_of_parts - 1) == FieldError::bad_neighbours);
+}
+
+TEST_CASE("shadows follow parts that move by themselves, and stand last")
+{
+    const auto opened_shaded = [](const std::function<void(std::vector<TestPart>&)>& change) {
+        std::vector<TestPart> parts = parts_with_shadows();
+        change(parts);
+        return opened(mover_file(mover(ball(2, 0), parts)));
+    };
+    CHECK(opened_shaded([](auto&) {}) == FieldError::none);
+    CHECK(opened_shaded([](auto& parts) { parts[4].follows = 4; }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { parts[4].follows = 6; }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { parts[4].follows = 1; }) == FieldError::bad_parts);  // it slides
+    CHECK(opened_shaded([](auto& parts) { parts[3].name = "x"; }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { parts[2].name = ""; }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { std::swap(parts[2], parts[3]); }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { parts[3].mesh.viewed = 1; }) == FieldError::bad_parts);
+    CHECK(opened_shaded([](auto& parts) { parts.erase(parts.begin(), parts.begin() + 3); }) == FieldError::bad_parts);
 }

@@ -16,6 +16,7 @@ struct TestPart {
     std::array<double, 3> axis = {0, 0, 1}, pivot = {0, 0, 0};  // unit length; radii
     int32_t from = 0;
     uint32_t span = UINT32_MAX;
+    uint32_t follows = 0;  // k: a shadow of part k - 1, whose patches are see-through
 };
 
 // A body and its parts as one mesh, in the order of the file, and the parts' records.
@@ -33,7 +34,7 @@ inline int32_t rounded(double v, double one)
 inline void put_record(Bytes& b, const TestPart& part, uint32_t viewed, uint32_t plain, uint32_t patch)
 {
     for (const uint32_t first : {viewed, plain, patch}) put16(b, first);
-    put16(b, part.slides ? 1 : 0);
+    put16(b, (part.slides ? 1 : 0) | part.follows << 8);
     for (const double c : part.axis) put32(b, static_cast<uint32_t>(rounded(c, 0x1p30)));
     for (const double c : part.pivot) put32(b, static_cast<uint32_t>(part.slides ? 0 : rounded(c, 0x1p20)));
     put32(b, static_cast<uint32_t>(part.from));
@@ -70,7 +71,8 @@ inline TestMover mover(const TestSurface& body, const std::vector<TestPart>& par
         }
     };
     const auto opaque = [&](size_t k) {
-        return static_cast<uint32_t>(owners[k]->patches.size()) - (k == 0 ? glass : 0);
+        const auto all = static_cast<uint32_t>(owners[k]->patches.size());
+        return k == 0 ? all - glass : parts[k - 1].follows == 0 ? all : 0;
     };
     for (size_t k = 0; k < owners.size(); ++k) {
         first_viewed.push_back(static_cast<uint32_t>(m.all.vertices.size()));
@@ -83,8 +85,9 @@ inline TestMover mover(const TestSurface& body, const std::vector<TestPart>& par
         first_patch.push_back(static_cast<uint32_t>(m.all.patches.size()));
         add_patches(k, 0, opaque(k));
     }
-    add_patches(0, opaque(0), static_cast<uint32_t>(body.patches.size()));
-    m.opaque = static_cast<uint32_t>(m.all.patches.size()) - glass;
+    m.opaque = static_cast<uint32_t>(m.all.patches.size());
+    for (size_t k = owners.size(); k-- > 0;)
+        add_patches(k, opaque(k), static_cast<uint32_t>(owners[k]->patches.size()));
     put_texels(m.all);
     put16(m.section, static_cast<uint32_t>(parts.size()));
     put16(m.section, 0);
@@ -136,6 +139,32 @@ inline std::vector<TestPart> three_parts()
              -0x10000000,
              0x20000000},
             {placed(ball(1, 8), 0.25, {-0.3, -0.3, -0.6}), "slider", true, {0, 0, 1}, {}, -(1 << 16), 1 << 20}};
+}
+
+// A square that lies across an axis, as the shadow of a part.
+inline TestPart shadow(const TestPart& leader, uint32_t follows, int32_t half, const std::array<double, 3>& at)
+{
+    TestPart part = leader;
+    part.mesh = placed(panes({{half, 0, 77}}), 1, at);
+    part.mesh.viewed = 0;
+    part.name = "";
+    part.follows = follows;
+    if (!part.slides) part.pivot[0] += 0.05;
+    return part;
+}
+
+// The same ball with shadows of the first and of the third part.
+inline std::vector<TestPart> parts_with_shadows()
+{
+    std::vector<TestPart> parts = three_parts();
+    parts.push_back(shadow(parts[0], 1, 3000, {0.5, 0.1, 0.25}));
+    parts.push_back(shadow(parts[2], 3, 2000, {-0.3, -0.2, -0.3}));
+    return parts;
+}
+
+inline TestMover shaded_ball(uint32_t glass)
+{
+    return mover(placed(ball(4, 20), 0.4, {0, 0, 0}), parts_with_shadows(), glass);
 }
 
 inline TestMover moving_ball(uint32_t glass = 0)

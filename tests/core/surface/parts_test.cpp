@@ -241,8 +241,8 @@ TEST_CASE("a part that turns or slides looks as it does at rest from an eye that
 TEST_CASE("frames that keep the body are those that are prepared anew, and only the rectangles that are told change")
 {
     std::minstd_rand random(4);
-    for (const uint32_t glass : {0u, 9u}) {
-        const OpenedGlass opened(mover_file(moving_ball(glass)));
+    for (const TestMover& ball : {moving_ball(), moving_ball(9), shaded_ball(0), shaded_ball(9)}) {
+        const OpenedGlass opened(mover_file(ball));
         REQUIRE(opened.error() == FieldError::none);
         const std::vector<test::View> extreme = extreme_views(kSide);
         Mover mover(opened.field(), 2 * kSide);
@@ -288,6 +288,40 @@ TEST_CASE("frames that keep the body are those that are prepared anew, and only 
         CHECK(changed_pixels < frames * 2 / 3);
         std::cout << "kept " << kept << " of " << kMoves << ", changed " << 100.0 * changed_pixels / frames << " %\n";
     }
+}
+
+TEST_CASE("a shadow moves with its part about an axis of its own, and nothing moves it alone")
+{
+    std::minstd_rand random(9);
+    const OpenedGlass opened(mover_file(shaded_ball(9)));
+    REQUIRE(opened.error() == FieldError::none);
+    CHECK(mover_count(opened.field()) == 3);
+    CHECK(opened.field().part_count == 5);
+    // The square as a part of another field that moves by itself shows the same glass in the same place.
+    TestPart alone = parts_with_shadows()[3];
+    alone.follows = 0;
+    alone.name = "square";
+    const OpenedGlass square(mover_file(mover({}, {alone}))),
+        shade(mover_file(mover({}, {three_parts()[0], shadow(three_parts()[0], 1, 3000, {0.5, 0.1, 0.25})})));
+    REQUIRE(square.error() == FieldError::none);
+    REQUIRE(shade.error() == FieldError::none);
+    Mover mover(opened.field()), one(square.field()), both(shade.field());
+    CHECK(!mover.turn(3, 1));
+    CHECK(!mover.slide(4, 1));
+    int seen = 0;
+    for (int k = 0; k < kMoves / 10; ++k) {
+        const uint32_t angle = any(random);
+        one.turn(0, angle);
+        both.turn(0, angle);
+        const test::View view = extreme_views(kSide)[0];
+        const Bytes opaque = one.look(view, SurfaceMode::one_sample), glass = both.look(view, SurfaceMode::one_sample);
+        CHECK(moving_part(moving_parts(shade.field(), both.frame().memory), 1).value == angle);
+        const PixelBounds a = moving_part(moving_parts(square.field(), one.frame().memory), 0).shown,
+                          b = moving_part(moving_parts(shade.field(), both.frame().memory), 1).shown;
+        CHECK((a.left == b.left && a.top == b.top && a.right == b.right && a.bottom == b.bottom));
+        seen += glass != opaque && both.frame().see_through_triangles != 0 ? 1 : 0;
+    }
+    CHECK(seen > kMoves / 40);
 }
 
 TEST_CASE("a frame in which nothing moves changes nothing, and the first changes all")

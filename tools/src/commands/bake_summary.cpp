@@ -84,6 +84,13 @@ std::string surface_line(const baker::SurfaceBake& bake)
                      100 * wrong, bake.triangles);
 }
 
+std::string notes_of(const baker::SurfaceBake& bake)
+{
+    std::string text;
+    for (const std::string& note : bake.notes) text += visible(note) + "\n";
+    return text;
+}
+
 // "160 kB suffice, 500 kB were allowed; --fill uses them all"
 std::string suffices_line(const BakeSummary& summary)
 {
@@ -121,7 +128,7 @@ std::string device_lines(const BakeSummary& summary)
 void tell_people(const BakeSummary& summary)
 {
     std::string text = file_line(summary);
-    if (summary.surface) text += surface_line(*summary.surface) + suffices_line(summary);
+    if (summary.surface) text += surface_line(*summary.surface) + notes_of(*summary.surface) + suffices_line(summary);
     if (const auto psnr_db = checked_db(summary))
         text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
     text += device_lines(summary);

@@ -79,7 +79,7 @@ std::string obj_of(const FieldFile& file, baker::UpAxis up)
         append_vertex(in_scene_axes(detail::surface_vertex(field, k), up), file.sphere(), text);
     uint32_t begin = 0;
     std::string name = "opaque";
-    for (uint32_t part = 0; part < field.part_count; ++part) {
+    for (uint32_t part = 0; part < mover_count(field); ++part) {
         const uint32_t end = first_patch_of_part(field, part);
         append_group(field, name, begin, end, text);
         name = replaced(visible(name_of_part(field, part)), " ", "_");

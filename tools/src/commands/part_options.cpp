@@ -111,7 +111,7 @@ std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, c
 {
     constexpr double kTurn = 360;
     std::vector<std::string> names;
-    for (uint32_t k = 0; field.is_surface() && k < field.surface().part_count; ++k) {
+    for (uint32_t k = 0; field.is_surface() && k < mover_count(field.surface()); ++k) {
         const PartName name = part_name(field.surface(), k);
         names.emplace_back(name.text, name.bytes);
     }

@@ -198,7 +198,7 @@ namespace @SYMBOL@_parts
 std::vector<std::string> part_identifiers(const SurfaceField& field)
 {
     std::vector<std::string> names;
-    for (uint32_t part = 0; part < field.part_count; ++part) {
+    for (uint32_t part = 0; part < mover_count(field); ++part) {
         std::string name = symbol_from(name_of_part(field, part));
         while (name.find("__") != std::string::npos) name = replaced(name, "__", "_");
         if (is_taken(name)) name = "part_" + name;

@@ -112,7 +112,7 @@ void append_surface(std::string& text, const SurfaceField& field)
                 field.viewed_count);
     if (field.see_through_count != 0)
         append_line(text, "  see-through   %" PRIu32 " patches besides", field.see_through_count);
-    for (uint32_t k = 0; k < field.part_count; ++k) append_part(text, name_of_part(field, k), part_motion(field, k));
+    for (uint32_t k = 0; k < mover_count(field); ++k) append_part(text, name_of_part(field, k), part_motion(field, k));
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
@@ -143,7 +143,7 @@ nlohmann::ordered_json json_of_part(const SurfaceField& field, uint32_t part)
 nlohmann::ordered_json json_of(const SurfaceField& field)
 {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
-    for (uint32_t k = 0; k < field.part_count; ++k) parts.push_back(json_of_part(field, k));
+    for (uint32_t k = 0; k < mover_count(field); ++k) parts.push_back(json_of_part(field, k));
     return {{"triangles", triangles_of(field)},
             {"patches", field.patch_count},
             {"see_through_patches", field.see_through_count},

@@ -101,8 +101,9 @@ struct SurfaceBake {
     std::vector<uint8_t> file;
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
     MeshLoss loss;
-    uint64_t paths = 0;     // that meet the mesh where the scene is
-    bool suffices = false;  // settings allow more texels, which would show no more
+    uint64_t paths = 0;              // that meet the mesh where the scene is
+    std::vector<std::string> notes;  // what parts lack, a sentence each
+    bool suffices = false;           // settings allow more texels, which would show no more
 };
 
 // The bytes depend on scene, settings and seed, never on `threads`. Memory: about a kilobyte a texel, and up to 100 kB

@@ -43,7 +43,7 @@ struct SurfaceField {
     ColourSpace colour_space = ColourSpace::srgb;
     uint8_t code_bits = 0;        // of view tables
     uint8_t longest_edge_q6 = 0;  // radii
-    uint8_t part_count = 0;
+    uint8_t part_count = 0;       // records of parts: shadows come last
 };
 
 // How a part moves, and how far: formats of surface/format.h.
@@ -59,6 +59,8 @@ struct PartName {
     const char* text;
     uint32_t bytes;
 };
+// Counts the parts that move by themselves, not their shadows: parts have the numbers below.
+uint32_t mover_count(const SurfaceField& field);
 // Return them, and the first of its patches, for a part below part_count.
 PartMotion part_motion(const SurfaceField& field, uint32_t part);
 PartName part_name(const SurfaceField& field, uint32_t part);

@@ -89,8 +89,12 @@ inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteE
 // 1 .. kMaxParts), 0 (u16), and a record for each. The file has the body first, then part after part, in each of three
 // ranges: vertices with view tables, those without, and opaque patches. So a part has the numbers from its own first
 // ones up to those of the next part, and the last part up to the range's end. A part has a patch at least. Its patches
-// have corners among its own vertices and neighbours among its own patches. See-through patches are the body's.
-// At the value 0 vertices are where the file has them.
+// have corners among its own vertices and neighbours among its own patches. At the value 0 vertices are where the file
+// has them.
+//
+// The last records may be shadows. A shadow follows an earlier part: it has that part's value and kind of motion, but
+// an axis of its own, no name, no opaque patch and no vertex with a view table. See-through patches are the body's, or
+// a shadow's if their corners are all among its vertices.
 inline constexpr uint32_t kMaxParts = 16;
 inline constexpr uint32_t kPartsHeaderBytes = 4;
 inline constexpr uint32_t kPartBytes = 80;
@@ -100,7 +104,7 @@ inline constexpr uint32_t kFirstViewedAt = 0;  // u16, <= kViewedAt's number
 inline constexpr uint32_t kFirstPlainAt = 2;   // u16, from there on up to kVerticesAt's
 inline constexpr uint32_t kFirstPatchAt = 4;   // u16
 inline constexpr uint32_t kMotionAt = 6;       // u8, 0: it turns, 1: it slides
-inline constexpr uint32_t kReservedAt = 7;     // u8, 0
+inline constexpr uint32_t kFollowsAt = 7;      // u8, 0: it moves by itself; k: it is a shadow of part k - 1
 inline constexpr uint32_t kAxisAt = 8;         // 3 × s32, Q30, of unit length within 2^-12
 inline constexpr uint32_t kPivotAt = 20;       // 3 × s32, Q20, a point of the axis, each within 2 radii; slides: 0
 // s32, the least value, and u32, how far the greatest lies above it. Turns, right-handed about the axis: turns times

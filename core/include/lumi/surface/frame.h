@@ -252,7 +252,9 @@ void prepare_moving(const SurfaceField& field, const SurfaceCamera& camera, Surf
         if constexpr (kFinest != SurfaceMode::one_sample)
             if (out.margin != 0) put_outlines(out, patches.begin, patches.end);
     }
-    if (!keeps_body) end_frame<Pixel, kFeatures>(out);
+    if (!keeps_body) return end_frame<Pixel, kFeatures>(out);
+    if constexpr (has(kFeatures, SurfaceFeatures::see_through))
+        if (mover_count(field) != field.part_count) put_see_through(out);  // shadows have moved
 }
 
 }  // namespace lumi::detail

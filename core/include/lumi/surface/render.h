@@ -125,7 +125,9 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
 {
     using namespace detail;
     constexpr bool kMayHaveGlass = has(kFeatures, SurfaceFeatures::see_through);
-    using Pieces = PiecesOf<has(kFeatures, SurfaceFeatures::parts)>;
+    constexpr bool kMayMove = has(kFeatures, SurfaceFeatures::parts);
+    using Pieces = PiecesOf<kMayMove>;
+    using SeeThrough = typename SeeThroughPiecesFor<kMayMove>::Type;
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
     if (covered.width_px == 0) return;
@@ -141,15 +143,13 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
             draw_triangles<Pieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
-                    draw_triangles<SeeThroughPieces, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame,
-                                                                                                           target);
+                    draw_triangles<SeeThrough, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame, target);
             if (frame.margin != 0) mark_all_outlines<Background, kFeatures>(frame, target);
         } else {
             draw_triangles<Pieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
-                    draw_triangles<SeeThroughPieces, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame,
-                                                                                                          target);
+                    draw_triangles<SeeThrough, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame, target);
         }
         const int32_t end = covered.y_px + covered.height_px;
         for (int32_t y = covered.y_px; y < end; ++y) {

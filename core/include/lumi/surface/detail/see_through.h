@@ -26,11 +26,33 @@ public:
 
     TrianglePiece piece;
 
-private:
+protected:
+    // `begin` begins a triangle that is cut.
+    template <class Begin>
+    LUMI_ALWAYS_INLINE bool next_of(const Begin& begin);
+
     const SurfaceFrame& frame_;
     const Target& target_;
     uint32_t at_ = 0;
     CutTriangle cut_;
+};
+
+// Does so where shadows of parts may move.
+class MovingSeeThroughPieces : public SeeThroughPieces
+{
+public:
+    using SeeThroughPieces::SeeThroughPieces;
+
+    LUMI_HOT bool next();
+};
+
+template <bool kMove>
+struct SeeThroughPiecesFor {
+    using Type = SeeThroughPieces;
+};
+template <>
+struct SeeThroughPiecesFor<true> {
+    using Type = MovingSeeThroughPieces;
 };
 
 // How much of a sample without a surface is covered, as its depth says it: kMostClear, which is nothing, to 0.

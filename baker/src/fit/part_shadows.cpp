@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: MIT
+#include "fit/part_shadows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "fit/encoded_tone.h"
+#include "math/sampler.h"
+#include "scene/moving_parts.h"
+#include "trace/path_tracer.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr float kFlatReceiver = 0.01f;    // radii: a receiver strays by no more
+constexpr float kLift = 0.008f;           // radii above the receiver, whose mesh may stray by as much
+constexpr float kFarthest = 0.5f;         // of the part's reach: a receiver farther off gets no shadow that shows
+constexpr uint32_t kShadowPoses = 8;      // that the shadow is the mean of
+constexpr uint32_t kShadowPaths = 48;     // to a texel in a pose, with the part and without
+constexpr uint32_t kMostShadowSide = 63;  // texels
+constexpr float kFaint = 0.02f;           // a share of the light that no one misses
+constexpr double kExplained = 1.0 / 3;    // of the shadow, squared: a shadow that explains less is dropped
+constexpr uint64_t kShadowSeed = 0x73686164;
+
+// The plane of a receiver, and a frame in it that turns with the part: u along the part's length.
+struct Receiver {
+    Vec3 origin, u, v, normal;  // the axis meets the plane at the origin; the normal looks to the part
+    float gap = 0;              // from there to the part
+
+    Vec3 at(const Vec2& p) const { return origin + u * p.x + v * p.y; }
+    Vec2 of(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+};
+
+std::vector<Vec3> corners_of(const SceneData& scene, uint32_t owner)
+{
+    std::vector<Vec3> corners;
+    for (size_t t = 0; t < scene.mesh.triangle_count(); ++t)
+        for (size_t k = 0; k < 3 && scene.moving.owners[t] == owner; ++k) corners.push_back(scene.mesh.position(t, k));
+    return corners;
+}
+
+// Nothing if what lies on that side of the part is not flat.
+std::optional<Receiver> receiver_towards(const SceneData& body, const PartMovement& movement,
+                                         const std::vector<Vec3>& corners, float side)
+{
+    constexpr int kRings = 8, kSpokes = 24;
+    constexpr float kAbove = 1e-3f;
+    constexpr double kMostOfAll = 0.6;
+    Receiver receiver;
+    receiver.normal = movement.axis * side;
+    float lowest = std::numeric_limits<float>::infinity(), reach = 0;
+    for (const Vec3& p : corners) {
+        const float height = dot(p - movement.pivot, receiver.normal);
+        lowest = std::min(lowest, height);
+        reach = std::max(reach, length(p - movement.pivot - receiver.normal * height));
+    }
+    if (!(reach > 0)) return std::nullopt;
+    const Frame frame(receiver.normal);
+    std::vector<float> depths;
+    for (int k = 0; k < kRings * kSpokes; ++k) {
+        const float r = reach * (static_cast<float>(k % kRings) + 1) / kRings;
+        const float angle = 2 * kPi * static_cast<float>(k / kRings) / kSpokes;
+        const Vec3 from = movement.pivot + frame.to_world({r * std::cos(angle), r * std::sin(angle), lowest + kAbove});
+        const std::optional<Hit> hit = body.accelerator.closest({from, -receiver.normal});
+        if (hit && hit->distance < kFarthest * reach + kAbove) depths.push_back(hit->distance - kAbove);
+    }
+    if (static_cast<double>(depths.size()) < kMostOfAll * kRings * kSpokes) return std::nullopt;
+    std::nth_element(depths.begin(), depths.begin() + static_cast<ptrdiff_t>(depths.size() / 2), depths.end());
+    receiver.gap = depths[depths.size() / 2];
+    const auto flat = std::count_if(depths.begin(), depths.end(),
+                                    [&](float d) { return std::abs(d - receiver.gap) <= kFlatReceiver; });
+    if (receiver.gap <= 0 || static_cast<double>(flat) < kMostOfAll * kRings * kSpokes) return std::nullopt;
+    receiver.origin = movement.pivot + receiver.normal * (lowest - receiver.gap);
+    return receiver;
+}
+
+// Turns the frame so that u is the direction in which the corners lie most spread.
+void turn_along(const std::vector<Vec3>& corners, Receiver& receiver)
+{
+    const Frame frame(receiver.normal);
+    receiver.u = frame.tangent;
+    receiver.v = frame.bitangent;
+    float uu = 0, uv = 0, vv = 0;
+    for (const Vec3& corner : corners) {
+        const Vec2 p = receiver.of(corner);
+        uu += p.x * p.x;
+        uv += p.x * p.y;
+        vv += p.y * p.y;
+    }
+    const float angle = 0.5f * std::atan2(2 * uv, uu - vv);
+    const Vec3 u = receiver.u * std::cos(angle) + receiver.v * std::sin(angle);
+    receiver.v = cross(receiver.normal, u);
+    receiver.u = u;
+}
+
+// A grid of points of the receiver around the part.
+struct Grid {
+    Vec2 low, cell;
+    uint32_t columns = 0, rows = 0;
+
+    Vec2 middle(uint32_t k) const
+    {
+        return {low.x + (static_cast<float>(k % columns) + 0.5f) * cell.x,
+                low.y + (static_cast<float>(k / columns) + 0.5f) * cell.y};
+    }
+    uint32_t size() const { return columns * rows; }
+    bool is_border(uint32_t k) const
+    {
+        const uint32_t x = k % columns, y = k / columns;
+        return x == 0 || y == 0 || x + 1 == columns || y + 1 == rows;
+    }
+};
+
+Grid grid_around(const std::vector<Vec3>& corners, const Receiver& receiver)
+{
+    constexpr float kMargin = 2.5f, kCell = 0.4f;  // gaps
+    Vec2 low = {1e9f, 1e9f}, high = {-1e9f, -1e9f};
+    for (const Vec3& corner : corners) {
+        const Vec2 p = receiver.of(corner);
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const float margin = kMargin * receiver.gap;
+    const Vec2 size = {high.x - low.x + 2 * margin, high.y - low.y + 2 * margin};
+    const auto cells = [&](float side) {
+        return static_cast<uint32_t>(
+            std::clamp(std::ceil(side / (kCell * receiver.gap)), 4.0f, float{kMostShadowSide}));
+    };
+    Grid grid;
+    grid.columns = cells(size.x);
+    grid.rows = cells(size.y);
+    grid.low = {low.x - margin, low.y - margin};
+    grid.cell = {size.x / static_cast<float>(grid.columns), size.y / static_cast<float>(grid.rows)};
+    return grid;
+}
+
+// What a part takes away in one pose: by point of the grid, which turns with it, the share of light; and the light.
+struct Shade {
+    float angle;  // of the pose, radians about the receiver's normal
+    std::vector<float> taken, light;
+};
+
+class ShadowTracer
+{
+public:
+    ShadowTracer(const SceneData& scene, const SceneData& body, uint32_t part, const Receiver& receiver,
+                 const Grid& grid, uint64_t seed)
+        : scene_(scene), body_(body), part_(part), receiver_(receiver), grid_(grid), seed_(seed)
+    {
+    }
+
+    std::vector<Shade> traced(Job& job) const
+    {
+        const PartMovement& movement = scene_.moving.motions[part_];
+        constexpr double kTurn = 360, kRadians = static_cast<double>(kPi) / 180;
+        const double from = movement.is_limited ? movement.from : 0,
+                     step = movement.is_limited ? (movement.to - movement.from) / (kShadowPoses - 1)
+                                                : kTurn / kShadowPoses;
+        const double side = dot(receiver_.normal, movement.axis) > 0 ? 1 : -1;
+        std::vector<Shade> shades;
+        for (uint32_t k = 0; k < kShadowPoses; ++k) {
+            const double value = from + step * k;
+            shades.push_back({static_cast<float>(side * value * kRadians), {}, {}});
+            trace(value, shades.back(), job);
+        }
+        return shades;
+    }
+
+private:
+    void trace(double value, Shade& shade, Job& job) const
+    {
+        const std::unique_ptr<SceneData> posed = lit_with(scene_, part_ + 1, value);
+        const PathTracer with(*posed), without(body_);
+        const Affine pose = scene_.moving.motions[part_].pose(value);
+        shade.taken.assign(grid_.size(), 0);
+        shade.light.assign(grid_.size(), 0);
+        job.run(grid_.rows, [&](uint32_t row) {
+            for (uint32_t k = row * grid_.columns; k < (row + 1) * grid_.columns; ++k) {
+                const Vec3 p = receiver_.at(grid_.middle(k));
+                const auto at =
+                    point_of(pose, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+                const Vec3 place = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
+                measure(place, k, with, without, shade);
+            }
+            job.add_rays(uint64_t{2} * kShadowPaths * grid_.columns);
+        });
+    }
+
+    // Paths begin so near the receiver that nothing else is met; both kinds draw the same numbers.
+    void measure(const Vec3& place, uint32_t k, const PathTracer& with, const PathTracer& without, Shade& shade) const
+    {
+        const float start = std::min(kFlatReceiver + 1e-3f, 0.5f * receiver_.gap);
+        const Ray ray = {place + receiver_.normal * start, -receiver_.normal};
+        const std::optional<Hit> hit = body_.accelerator.closest(ray);
+        if (!hit || hit->distance > start + kFlatReceiver) return;
+        float lit = 0, all = 0;
+        for (uint32_t path = 0; path < kShadowPaths; ++path) {
+            Sampler first(seed_ + kShadowSeed, k, 0), second(seed_ + kShadowSeed, k, 0);
+            first.start(path);
+            second.start(path);
+            lit += luminance(with.trace(ray, first).radiance);
+            all += luminance(without.trace(ray, second).radiance);
+        }
+        shade.light[k] = all / kShadowPaths;
+        shade.taken[k] = all > 0 ? std::clamp(1 - lit / all, 0.0f, 1.0f) : 0;
+    }
+
+    const SceneData &scene_, &body_;
+    const uint32_t part_;
+    const Receiver& receiver_;
+    const Grid& grid_;
+    const uint64_t seed_;
+};
+
+// Interpolated between the grid's points; nothing outside.
+float value_at(const std::vector<float>& values, const Grid& grid, const Vec2& p)
+{
+    const float x = (p.x - grid.low.x) / grid.cell.x - 0.5f, y = (p.y - grid.low.y) / grid.cell.y - 0.5f;
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    float sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        const int c = column + k % 2, r = row + k / 2;
+        if (c < 0 || r < 0 || c >= static_cast<int>(grid.columns) || r >= static_cast<int>(grid.rows)) continue;
+        const float right = x - static_cast<float>(column), below = y - static_cast<float>(row);
+        const float weight = (k % 2 == 0 ? 1 - right : right) * (k / 2 == 0 ? 1 - below : below);
+        sum += weight * values[static_cast<size_t>(r) * grid.columns + static_cast<size_t>(c)];
+    }
+    return sum;
+}
+
+// The mean over poses of what is taken, each pose's picture moved back by the shift, which does not turn.
+std::vector<float> aligned_mean(const std::vector<Shade>& shades, const Grid& grid, const Vec2& shift)
+{
+    std::vector<float> mean(grid.size(), 0);
+    for (const Shade& shade : shades) {
+        const float c = std::cos(shade.angle), s = std::sin(shade.angle);
+        const Vec2 turned = {c * shift.x + s * shift.y, c * shift.y - s * shift.x};
+        for (uint32_t k = 0; k < grid.size(); ++k) {
+            const Vec2 p = grid.middle(k);
+            mean[k] += value_at(shade.taken, grid, {p.x + turned.x, p.y + turned.y}) / kShadowPoses;
+        }
+    }
+    return mean;
+}
+
+double energy(const std::vector<float>& values)
+{
+    double sum = 0;
+    for (const float v : values) sum += static_cast<double>(v) * static_cast<double>(v);
+    return sum;
+}
+
+// The shift for which the mean of the poses holds most of them.
+Vec2 best_shift(const std::vector<Shade>& shades, const Grid& grid, float gap)
+{
+    constexpr int kSteps = 8;  // to either side, up to two gaps
+    Vec2 best;
+    double most = -1;
+    for (int y = -kSteps; y <= kSteps; ++y) {
+        for (int x = -kSteps; x <= kSteps; ++x) {
+            const Vec2 shift = {2 * gap * static_cast<float>(x) / kSteps, 2 * gap * static_cast<float>(y) / kSteps};
+            const double held = energy(aligned_mean(shades, grid, shift));
+            if (held <= most) continue;
+            most = held;
+            best = shift;
+        }
+    }
+    return best;
+}
+
+// What of a grid keeps its corners inside: a field holds nothing outside of the sphere. Nothing if that is too little.
+template <class IsInside>
+std::optional<Grid> within(const Grid& grid, const IsInside& is_inside, std::vector<float>& values)
+{
+    constexpr uint32_t kFewest = 4;
+    uint32_t left = 0, right = grid.columns, top = 0, bottom = grid.rows;
+    const auto corner = [&](uint32_t x, uint32_t y) {
+        return Vec2{grid.low.x + grid.cell.x * static_cast<float>(x), grid.low.y + grid.cell.y * static_cast<float>(y)};
+    };
+    const auto cut = [&](uint32_t& x, uint32_t& y, uint32_t across, uint32_t down) {
+        if (is_inside(corner(x, y))) return false;
+        (static_cast<float>(right - left) * grid.cell.x > static_cast<float>(bottom - top) * grid.cell.y) ? x += across
+                                                                                                          : y += down;
+        return true;
+    };
+    constexpr uint32_t kBack = UINT32_MAX;  // one less
+    while (right - left >= kFewest && bottom - top >= kFewest &&
+           (cut(left, top, 1, 1) || cut(right, top, kBack, 1) || cut(left, bottom, 1, kBack) ||
+            cut(right, bottom, kBack, kBack))) {
+    }
+    if (right - left < kFewest || bottom - top < kFewest) return std::nullopt;
+    std::vector<float> kept;
+    for (uint32_t y = top; y < bottom; ++y)
+        for (uint32_t x = left; x < right; ++x) kept.push_back(values[y * grid.columns + x]);
+    values = std::move(kept);
+    return Grid{corner(left, top), grid.cell, right - left, bottom - top};
+}
+
+float mean_light(const std::vector<Shade>& shades)
+{
+    double sum = 0, count = 0;
+    for (const Shade& shade : shades) {
+        for (const float light : shade.light) {
+            sum += static_cast<double>(light);
+            count += light > 0 ? 1 : 0;
+        }
+    }
+    return static_cast<float>(sum / std::max(count, 1.0));
+}
+
+class ShadowMaker
+{
+public:
+    ShadowMaker(const SceneData& scene, const SurfaceSettings& settings, Job& job)
+        : scene_(scene), body_(only_of(scene, 0)), settings_(settings), job_(job)
+    {
+    }
+
+    // Sets `why` where there is none.
+    std::optional<PartShadow> made(uint32_t part, std::string& why)
+    {
+        const PartMovement& movement = scene_.moving.motions[part];
+        if (movement.slides) {
+            why = "it slides";
+            return std::nullopt;
+        }
+        const std::vector<Vec3> corners = corners_of(scene_, part + 1);
+        std::optional<Receiver> receiver;
+        for (const float side : {1.0f, -1.0f}) {
+            const std::optional<Receiver> one = receiver_towards(*body_, movement, corners, side);
+            if (one && (!receiver || one->gap < receiver->gap)) receiver = one;
+        }
+        why = "nothing flat lies across its axis near it";
+        if (!receiver) return std::nullopt;
+        turn_along(corners, *receiver);
+        const Grid grid = grid_around(corners, *receiver);
+        const std::vector<Shade> shades =
+            ShadowTracer(scene_, *body_, part, *receiver, grid, settings_.seed).traced(job_);
+        const Vec2 shift = best_shift(shades, grid, receiver->gap);
+        std::vector<float> mean = aligned_mean(shades, grid, shift);
+        double all = 0;
+        for (const Shade& shade : shades) all += energy(shade.taken) / kShadowPoses;
+        why = "it looks different in each pose";
+        if (energy(mean) < kExplained * all) return std::nullopt;
+        why = "it is too faint to be seen";
+        if (*std::max_element(mean.begin(), mean.end()) < kFaint) return std::nullopt;
+        why = "it reaches out of the sphere";
+        const Vec3 moved = receiver->u * shift.x + receiver->v * shift.y;
+        constexpr float kInside = 0.999f;
+        const std::optional<Grid> inside = within(
+            grid, [&](const Vec2& p) { return length(receiver->at(p) + moved + lift(*receiver)) < kInside; }, mean);
+        if (!inside) return std::nullopt;
+        return shadow_of(part, *receiver, *inside, moved, mean, mean_light(shades));
+    }
+
+private:
+    static Vec3 lift(const Receiver& receiver) { return receiver.normal * std::min(kLift, 0.4f * receiver.gap); }
+
+    PartShadow shadow_of(uint32_t part, const Receiver& receiver, const Grid& grid, const Vec3& moved,
+                         const std::vector<float>& taken, float light) const
+    {
+        const EncodedTone tone(scene_.tone);
+        const auto levels = [&](float l) { return std::min(tone.encoded(grey(l))[1], 255.0f); };
+        PartShadow shadow;
+        shadow.part = part;
+        shadow.pivot = scene_.moving.motions[part].pivot + moved;
+        shadow.corner = receiver.at(grid.low) + moved + lift(receiver);
+        shadow.across = receiver.u * (grid.cell.x * static_cast<float>(grid.columns));
+        shadow.down = receiver.v * (grid.cell.y * static_cast<float>(grid.rows));
+        shadow.columns = grid.columns;
+        shadow.rows = grid.rows;
+        for (uint32_t k = 0; k < grid.size(); ++k) {
+            const float rest = grid.is_border(k) || taken[k] < kFaint ? 1 : 1 - taken[k];
+            const float share = levels(light) > 0 ? levels(light * rest) / levels(light) : 1;
+            shadow.passed.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0f, 1.0f))));
+        }
+        return shadow;
+    }
+
+    const SceneData& scene_;
+    const std::unique_ptr<SceneData> body_;
+    const SurfaceSettings& settings_;
+    Job& job_;
+};
+
+}  // namespace
+
+PartShadows part_shadows(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings,
+                         const ProgressCallback& progress)
+{
+    constexpr uint64_t kUsualTexels = 1000;
+    PartShadows result;
+    const auto parts = static_cast<uint32_t>(mesh.parts.size());
+    if (parts == 0) return result;
+    if (mesh.see_through_patches != 0) {
+        result.notes.emplace_back("moving parts cast no shadows beside see-through parts");
+        return result;
+    }
+    Job job(parts * kUsualTexels * 2 * kShadowPoses * kShadowPaths, settings.threads, progress);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), parts * kShadowPoses);
+    ShadowMaker maker(scene, settings, job);
+    for (uint32_t part = 0; part < parts; ++part) {
+        std::string why;
+        if (std::optional<PartShadow> shadow = maker.made(part, why))
+            result.shadows.push_back(std::move(*shadow));
+        else
+            result.notes.push_back("the part '" + mesh.parts[part].name + "' casts no shadow: " + why);
+    }
+    return result;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Shadows that move with their parts.
+#include "fit/part_shadows.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/shapes.h"
+#include "support/surfaces.h"
+#include "surface/surface_scenes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr float kHandGap = 0.1f, kDialSide = 0.6f, kHandHalf = 0.05f;
+
+PartMovement hand()
+{
+    PartMovement movement;
+    movement.name = "hand";
+    movement.axis = {0, 0, 1};
+    return movement;
+}
+
+// A thin bar of length 0.4 at kHandGap above a square dial, in the light that comes from (1, 0, 1).
+SceneMaker dial_with_hand(const PartMovement& movement, float dial_height = 0)
+{
+    SceneMaker maker;
+    const uint32_t white = maker.add(diffuse(grey(0.8f))), black = maker.add(diffuse(grey(0.02f)));
+    maker.box(white, {-kDialSide, -kDialSide, dial_height - 0.2f}, {kDialSide, kDialSide, dial_height});
+    maker.add(Fixture(DirectionalLight{normalized(Vec3{1, 0, 1}), grey(1)}));
+    maker.begin_part(movement);
+    maker.box(black, {-kHandHalf, -kHandHalf, kHandGap}, {0.4f, kHandHalf, kHandGap + 0.01f});
+    return maker;
+}
+
+PartShadows shadows_of(const Scene& scene)
+{
+    MeshSettings settings;
+    settings.triangles = 200;
+    settings.longest_edge = 0.6f;
+    return part_shadows(scene.data(), built_mesh(scene, settings).mesh, tiny_surface(), {});
+}
+
+// At a place of the scene, in its rest.
+uint8_t passed_at(const PartShadow& s, const Vec3& place)
+{
+    const Vec3 p = place - s.corner;
+    const float u = dot(p, s.across) / dot(s.across, s.across), v = dot(p, s.down) / dot(s.down, s.down);
+    if (u < 0 || u >= 1 || v < 0 || v >= 1) return 255;
+    const auto x = static_cast<uint32_t>(u * static_cast<float>(s.columns)),
+               y = static_cast<uint32_t>(v * static_cast<float>(s.rows));
+    return s.passed[y * s.columns + x];
+}
+
+Scene lit_from_the_side()
+{
+    return dial_with_hand(hand()).make(constant_environment(0.02f));
+}
+
+// Traced once.
+const PartShadow& side_shadow()
+{
+    static const PartShadows found = shadows_of(lit_from_the_side());
+    REQUIRE(found.shadows.size() == 1);
+    return found.shadows[0];
+}
+
+}  // namespace
+
+TEST_CASE("part shadows: a shadow lies where the light throws it, and turns about an axis that is moved as far")
+{
+    const Scene scene = lit_from_the_side();
+    const PartShadow& s = side_shadow();
+    const float r = scene.radius();
+    CHECK(s.pivot.x - scene.data().moving.motions[0].pivot.x == Approx(-kHandGap / r).margin(0.03));
+    CHECK(s.pivot.y - scene.data().moving.motions[0].pivot.y == Approx(0).margin(0.03));
+    const std::array<float, 3> c = scene.centre();
+    const auto at = [&](float x, float y) { return passed_at(s, (Vec3{x, y, 0} - Vec3{c[0], c[1], c[2]}) / r); };
+    for (const float along : {0.0f, 0.1f, 0.2f, 0.25f}) CHECK(at(along - kHandGap + 0.03f, 0) < 120);
+    CHECK(at(0.15f, 0.15f) > 240);
+    CHECK(at(-0.3f, 0) > 240);
+}
+
+TEST_CASE("part shadows: a border lets all light pass, so that no edge shows")
+{
+    const PartShadow& s = side_shadow();
+    for (uint32_t x = 0; x < s.columns; ++x) CHECK(s.passed[x] == 255);
+    for (uint32_t y = 0; y < s.rows; ++y) CHECK(s.passed[y * s.columns + s.columns - 1] == 255);
+}
+
+TEST_CASE("part shadows: a part without a flat receiver has none, and says why")
+{
+    PartMovement across = hand();
+    across.axis = {0, 1, 0};
+    const auto none = [](const Scene& scene, const std::string& word) {
+        const PartShadows found = shadows_of(scene);
+        CHECK(found.shadows.empty());
+        REQUIRE(found.notes.size() == 1);
+        CHECK_THAT(found.notes[0], Catch::Contains("'hand' casts no shadow") && Catch::Contains(word));
+    };
+    none(dial_with_hand(across).make(constant_environment(1)), "nothing flat");
+    none(dial_with_hand(hand(), -0.5f).make(constant_environment(1)), "nothing flat");
+    PartMovement slide = hand();
+    slide.slides = true;
+    slide.is_limited = true;
+    slide.to = 0.1;
+    none(dial_with_hand(slide).make(constant_environment(1)), "slides");
+}
+
+}  // namespace lumi::baker::testing
