@@ -50,15 +50,16 @@ struct EyePoint {
 };
 
 struct SeeThroughTexel {
-    float coverage = 0;  // the share of light that does not pass
-    float open = 1;      // of the light that passes, the share behind which there is nothing
-    Rgb behind;          // mean radiance of the other light that passes
+    float coverage = 0;  // the share of lines that end there
+    Rgb through;         // the share of light that passes
+    float open = 1;      // of the lines that pass, the share that meets nothing behind
+    Rgb behind;          // mean radiance that the others meet
 };
 
 template <class Io>
 void fields(Io& io, SeeThroughTexel& texel)
 {
-    io(texel.coverage, texel.open, texel.behind);
+    io(texel.coverage, texel.through, texel.open, texel.behind);
 }
 
 struct FitShape {

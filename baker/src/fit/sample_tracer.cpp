@@ -22,6 +22,19 @@ Vec3 eye_of(const Ray& ray)
     return ray.origin - ray.direction * back;
 }
 
+// What a path that passes there makes of light. Chance thins the paths by the opacity, so only the hue is left.
+Rgb colour_of_pass(const SceneData& scene, const Hit& pane, const Vec3& direction)
+{
+    return passing_light(scene, pane, direction) * (1 / (1 - opacity_of(scene, pane)));
+}
+
+// The light before panes of these colours; 0 in channels of which nothing passes.
+Rgb before_panes(const Rgb& light, const Rgb& panes)
+{
+    const auto channel = [](float after, float share) { return share > 0 ? after / share : 0.0f; };
+    return {channel(light.r, panes.r), channel(light.g, panes.g), channel(light.b, panes.b)};
+}
+
 int16_t q12(float v)
 {
     return static_cast<int16_t>(std::lround(v * kEyeScale));
@@ -58,7 +71,7 @@ std::optional<SampleTracer::Line> SampleTracer::line_to_mesh(const Ray& ray) con
     std::optional<Hit> hit = mesh_.closest(ray);
     if (!hit) return std::nullopt;
     hit->triangle = numbers_[hit->triangle];
-    return Line{ray, *hit};
+    return Line{ray, *hit, grey(1)};
 }
 
 // The path's first hit draws the same numbers again.
@@ -81,13 +94,17 @@ std::optional<SampleTracer::Line> SampleTracer::line_to(const Ray& ray, const Hi
         passes ? see_through_mesh_.near(ray, in_scene.distance, kMaxDepthError) : mesh_.closest(ray);
     if (!hit || std::abs(hit->distance - in_scene.distance) > kMaxDepthError) return std::nullopt;
     hit->triangle = (passes ? see_through_numbers_ : numbers_)[hit->triangle];
-    return Line{ray, *hit};
+    return Line{ray, *hit, grey(1)};
 }
 
 std::optional<SampleTracer::Line> SampleTracer::see_through_line(const Ray& ray, Sampler ahead) const
 {
-    const std::optional<Hit> hit = closest_opaque(scene_, ray, ahead);
-    return hit ? line_to(ray, *hit) : std::nullopt;
+    std::vector<Hit> passed;
+    const std::optional<Hit> hit = closest_opaque(scene_, ray, ahead, passed);
+    std::optional<Line> line = hit ? line_to(ray, *hit) : std::nullopt;
+    for (const Hit& pane : passed)
+        if (line) line->panes = line->panes * colour_of_pass(scene_, pane, ray.direction);
+    return line;
 }
 
 SampleTracer::PartTracer::PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner)
@@ -106,7 +123,7 @@ std::optional<SampleTracer::Line> SampleTracer::line_to_part(Ray ray, const Part
     hit->distance -= start;
     hit->triangle = part.numbers[hit->triangle];
     const bool is_there = std::abs(first_meeting(part.scene, ray, sampler) - hit->distance) <= kMaxDepthError;
-    return is_there ? std::optional<Line>({ray, *hit}) : std::nullopt;
+    return is_there ? std::optional<Line>({ray, *hit, grey(1)}) : std::nullopt;
 }
 
 uint32_t SampleTracer::texel_of(const Hit& hit) const
@@ -122,9 +139,13 @@ bool SampleTracer::scene_is_there(const Line& line, Sampler sampler) const
 FitSample SampleTracer::sample(const Line& line, const PathResult& path) const
 {
     const Vec3 eye = eye_of(line.ray);
-    return {
-        line.hit.triangle, texel_of(line.hit), q12(line.hit.u), q12(line.hit.v), {q12(eye.x), q12(eye.y), q12(eye.z)},
-        path.radiance,     path.matt};
+    return {line.hit.triangle,
+            texel_of(line.hit),
+            q12(line.hit.u),
+            q12(line.hit.v),
+            {q12(eye.x), q12(eye.y), q12(eye.z)},
+            before_panes(path.radiance, line.panes),
+            before_panes(path.matt, line.panes)};
 }
 
 void SampleTracer::trace(uint64_t seed, uint32_t patch, uint32_t texel, uint32_t lines,
@@ -158,19 +179,24 @@ std::vector<PassingSample> SampleTracer::passing(uint64_t seed, uint32_t batch) 
         std::vector<Hit> passed;
         const std::optional<Hit> hit = closest_opaque(scene_, *r, ahead, passed);
         const size_t first = result.size();
+        Rgb coloured = grey(1);  // what the panes so far make of light that is 1 behind them
         const auto add = [&](const Hit& in_scene, bool passes) {
             if (!is_see_through(in_scene)) return;
             if (const std::optional<Line> l = line_to(*r, in_scene))
-                result.push_back({texel_of(l->hit), opacity_of(scene_, in_scene), passes, false, {}});
+                result.push_back({texel_of(l->hit), opacity_of(scene_, in_scene),
+                                  passing_light(scene_, in_scene, r->direction), passes, false, coloured});
         };
-        for (const Hit& surface : passed) add(surface, true);
+        for (const Hit& surface : passed) {
+            coloured = coloured * colour_of_pass(scene_, surface, r->direction);
+            add(surface, true);
+        }
         if (hit) add(*hit, false);
         if (first == result.size() || !result[first].passes) continue;
         const PathResult path = tracer_.trace(*r, sampler);
         for (size_t s = first; s < result.size(); ++s) {
             if (!result[s].passes) continue;
             result[s].covered = path.covered;
-            result[s].radiance = path.radiance;
+            result[s].radiance = before_panes(path.radiance, result[s].radiance);
         }
     }
     return result;

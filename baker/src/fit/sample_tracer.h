@@ -24,9 +24,10 @@ struct FitSample {
 struct PassingSample {
     uint32_t texel;
     float opacity;
+    Rgb through;   // the share of light that passes
     bool passes;   // goes on behind the texel
     bool covered;  // meets something there
-    Rgb radiance;  // that, or 0
+    Rgb radiance;  // what comes from there to the texel's back, or 0
 };
 
 using SampleBatches = std::vector<std::vector<FitSample>>;
@@ -57,7 +58,8 @@ public:
 private:
     struct Line {
         Ray ray;
-        Hit hit;  // its triangle has the mesh's number
+        Hit hit;    // its triangle has the mesh's number
+        Rgb panes;  // what panes before it make of a path's light
     };
     struct PartTracer {
         PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner);

@@ -19,7 +19,7 @@ constexpr uint32_t kMostPassingBatches = 1u << 14;
 
 struct PassingSums {
     double paths = 0, opacity = 0, passed = 0, covered = 0;
-    std::array<double, 3> radiance{};
+    std::array<double, 3> through{}, radiance{};
 
     void add(const PassingSample& s)
     {
@@ -27,8 +27,8 @@ struct PassingSums {
         opacity += static_cast<double>(s.opacity);
         passed += s.passes ? 1 : 0;
         covered += s.covered ? 1 : 0;
-        const float channels[3] = {s.radiance.r, s.radiance.g, s.radiance.b};
-        for (size_t c = 0; c < 3 && s.covered; ++c) radiance[c] += static_cast<double>(channels[c]);
+        add(through, {s.through.r, s.through.g, s.through.b}, 1);
+        if (s.covered) add(radiance, {s.radiance.r, s.radiance.g, s.radiance.b}, 1);
     }
     void add(const PassingSums& s, double weight)
     {
@@ -36,16 +36,26 @@ struct PassingSums {
         opacity += weight * s.opacity;
         passed += weight * s.passed;
         covered += weight * s.covered;
-        for (size_t c = 0; c < 3; ++c) radiance[c] += weight * s.radiance[c];
+        add(through, s.through, weight);
+        add(radiance, s.radiance, weight);
+    }
+    static void add(std::array<double, 3>& sum, const std::array<double, 3>& s, double weight)
+    {
+        for (size_t c = 0; c < 3; ++c) sum[c] += weight * s[c];
     }
     SeeThroughTexel texel() const
     {
         SeeThroughTexel t;
         if (paths > 0) t.coverage = static_cast<float>(opacity / paths);
         if (passed > 0) t.open = static_cast<float>(1 - covered / passed);
-        const auto mean = [&](size_t c) { return covered > 0 ? static_cast<float>(radiance[c] / covered) : 0.0f; };
-        t.behind = {mean(0), mean(1), mean(2)};
+        t.through = mean(through, paths);
+        t.behind = mean(radiance, covered);
         return t;
+    }
+    static Rgb mean(const std::array<double, 3>& sum, double weight)
+    {
+        const auto channel = [&](size_t c) { return weight > 0 ? static_cast<float>(sum[c] / weight) : 0.0f; };
+        return {channel(0), channel(1), channel(2)};
     }
 };
 
@@ -93,7 +103,9 @@ std::vector<SeeThroughTexel> see_through_light(const SceneData& scene, const Fit
                 return texel.texel();
             };
             result[t] = with_mean(kPatchPassingPaths);
-            result[t].coverage = with_mean(kPatchOpacityPaths).coverage;
+            const SeeThroughTexel read = with_mean(kPatchOpacityPaths);
+            result[t].coverage = read.coverage;
+            result[t].through = read.through;
         }
     }
     return result;

@@ -11,12 +11,13 @@ namespace lumi::baker
 namespace
 {
 
+constexpr size_t kNumbers = std::tuple_size_v<ColourPoint>;
 constexpr int kIterations = 12;  // the error falls by less than 1 % an iteration from there on
 
 float distance2(const ColourPoint& a, const ColourPoint& b)
 {
     float sum = 0;
-    for (size_t k = 0; k < 4; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    for (size_t k = 0; k < kNumbers; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
     return sum;
 }
 
@@ -44,14 +45,15 @@ void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoi
 // Moves each centre from the `fixed`-th on to the mean of the points nearest to it.
 void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<ColourPoint>& points)
 {
-    std::vector<std::array<double, 5>> sums(centres.size());
+    std::vector<std::array<double, kNumbers + 1>> sums(centres.size());
     for (const ColourPoint& p : points) {
-        std::array<double, 5>& sum = sums[nearest_centre(centres, p).index];
-        for (size_t k = 0; k < 4; ++k) sum[k] += static_cast<double>(p[k]);
-        sum[4] += 1;
+        std::array<double, kNumbers + 1>& sum = sums[nearest_centre(centres, p).index];
+        for (size_t k = 0; k < kNumbers; ++k) sum[k] += static_cast<double>(p[k]);
+        sum[kNumbers] += 1;
     }
     for (size_t c = fixed; c < centres.size(); ++c)
-        for (size_t k = 0; k < 4 && sums[c][4] > 0; ++k) centres[c][k] = static_cast<float>(sums[c][k] / sums[c][4]);
+        for (size_t k = 0; k < kNumbers && sums[c][kNumbers] > 0; ++k)
+            centres[c][k] = static_cast<float>(sums[c][k] / sums[c][kNumbers]);
 }
 
 }  // namespace

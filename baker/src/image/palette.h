@@ -17,7 +17,7 @@ namespace lumi::baker
 
 // Finds clusters of colours.
 
-using ColourPoint = std::array<float, 4>;
+using ColourPoint = std::array<float, 6>;  // numbers that a palette does not need are 0
 
 struct NearestCentre {
     size_t index;

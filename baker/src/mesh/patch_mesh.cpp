@@ -194,7 +194,8 @@ Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
 {
     std::vector<uint8_t> viewable(mesh.positions.size(), 0);
-    for (uint32_t p = 0; p < mesh.opaque_patches(); ++p) {
+    const size_t end = mesh.has_panes != 0 ? mesh.patches.size() : mesh.opaque_patches();
+    for (size_t p = 0; p < end; ++p) {
         const PatchMesh::Patch& patch = mesh.patches[p];
         for (const uint32_t corner : {patch.a, patch.b, patch.c, patch.d})
             if (corner != PatchMesh::kNone) viewable[corner] = 1;

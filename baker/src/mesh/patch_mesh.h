@@ -44,6 +44,7 @@ struct PatchMesh {
     std::vector<MovingPart> parts;
     float longest_edge = 0;            // the longest edge of any triangle
     uint32_t see_through_patches = 0;  // the last so many
+    uint32_t has_panes = 0;            // 1: of those some mirror, so they have view tables
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 
     uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
@@ -76,7 +77,7 @@ Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 Mesh triangles_of(const PatchMesh& mesh, uint32_t owner, std::vector<uint32_t>& numbers);  // opaque ones
 Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
-// By vertex: whether it can have a view table. What see-through patches add does not depend on the view.
+// By vertex: whether it can have a view table. What see-through patches add depends on the view where they mirror.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
 uint32_t triangle_count(const PatchMesh& mesh);
 // Whether the format can hold it.

@@ -212,14 +212,13 @@ void put_in_drawing_order(PatchMesh& mesh, Job& job)
 }
 
 // Splits edges that are longer than `longest`, or than more where there would be more than `most` patches.
-PatchMesh split_mesh(const Mesh& few, float longest, size_t most, const PlaceMiddle& middle, const SceneData& opaque,
-                     const ViewCap& cap, Job& job)
+PatchMesh split_mesh(const Mesh& few, float longest, float crease_cosine, size_t most, const PlaceMiddle& middle,
+                     const SceneData& opaque, const ViewCap& cap, Job& job)
 {
     constexpr float kLeastStep = 1.2f, kDiameter = 2;
-    constexpr float kNoCrease = -2;  // both sides of a sheet share vertices, which have no view tables
     for (;;) {
         const Mesh split = with_short_edges(few, longest, middle);
-        PatchMesh mesh = assembled(rounded(open_sides(split, opaque, cap, job)), kNoCrease);
+        PatchMesh mesh = assembled(rounded(open_sides(split, opaque, cap, job)), crease_cosine);
         const bool is_whole = split.triangle_count() == few.triangle_count();
         if (mesh.patches.size() <= most || is_whole || longest > kDiameter) return mesh;
         const float excess = static_cast<float>(mesh.patches.size()) / static_cast<float>(most);
@@ -237,7 +236,13 @@ PatchMesh see_through_mesh(const SceneData& scene, const SceneData& opaque, cons
     })));
     const MeshTracer fronts(all, Faces::front);
     const Mesh few = few_of(scene, all, most, settings.cap, warnings, job);
-    PatchMesh mesh = split_mesh(few, settings.longest_edge, most.patches, onto(fronts), opaque, settings.cap, job);
+    constexpr float kNoCrease = -2;  // both sides of a sheet share vertices where those have no view tables
+    const bool has_panes = std::any_of(scene.mesh.materials.begin(), scene.mesh.materials.end(), [&](uint32_t m) {
+        return see_through[m] && scene.materials[m].thin && scene.materials[m].specular;
+    });
+    PatchMesh mesh = split_mesh(few, settings.longest_edge, has_panes ? settings.crease_cosine : kNoCrease,
+                                most.patches, onto(fronts), opaque, settings.cap, job);
+    mesh.has_panes = has_panes ? 1 : 0;
     if (fits(mesh)) put_in_drawing_order(mesh, job);
     return mesh;
 }
@@ -290,6 +295,7 @@ void add_see_through(const SceneData& scene, const SceneData& opaque, const Mesh
     const PatchMesh part = see_through_mesh(scene, opaque, settings, most, built.warnings, job);
     append(built.mesh, part);
     built.mesh.see_through_patches = static_cast<uint32_t>(part.patches.size());
+    built.mesh.has_panes = part.has_panes;
     built.mesh.is_in_drawing_order = part.is_in_drawing_order;
     if (fits(built.mesh)) judge(scene, built.mesh, settings.cap, job, built.loss);
 }

@@ -62,37 +62,43 @@ struct LineSums {
     }
 };
 
-// The light that a texel adds, 0 .. 255 a channel, and the share that it lets pass, 0 .. 255, for all texels.
+// The light that a texel adds, and the share that it lets pass, both 0 .. 255 a channel.
 ColourPoint added_and_passed(const SeeThroughTexel& texel, const EncodedTone& tone, const LevelColour& levels)
 {
     const float coverage = std::clamp(texel.coverage, 0.0f, 1.0f), clear = 1 - coverage;
+    const auto [least, most] = std::minmax({texel.through.r, texel.through.g, texel.through.b});
+    const float hue = 1 - least / std::max(most, 1e-6f);
+    const auto background = [&](float level) {  // by coverage as a display blends, or coloured as what stands there
+        const LevelColour lit = tone.encoded(radiance_of(tone, {level, level, level}) * texel.through);
+        const auto channel = [&](size_t c) { return (1 - hue) * clear * level + hue * lit[c]; };
+        return LevelColour{channel(0), channel(1), channel(2)};
+    };
+    const LevelColour back = background(kBackground), brighter = background(kBackground + kBehindStep);
+    const float shares[3] = {texel.through.r, texel.through.g, texel.through.b};
     const LevelColour own = {shown_level(levels[0]), shown_level(levels[1]), shown_level(levels[2])};
     const Rgb own_light = radiance_of(tone, own) * coverage;
     const LevelColour behind = tone.encoded(texel.behind);
     const auto through = [&](float step) {
         const LevelColour at = {shown_level(behind[0] + step), shown_level(behind[1] + step),
                                 shown_level(behind[2] + step)};
-        return tone.encoded(own_light + radiance_of(tone, at) * clear);
+        return tone.encoded(own_light + radiance_of(tone, at) * texel.through);
     };
     const LevelColour here = through(0), above = through(kBehindStep), below = through(-kBehindStep);
-    std::array<LineSums, 3> sums;
-    float rise = 0, run = 0;
+    ColourPoint result{};
     for (size_t c = 0; c < 3; ++c) {
         const float place = shown_level(behind[c]),
                     width = shown_level(behind[c] + kBehindStep) - shown_level(behind[c] - kBehindStep);
-        const float slope = width > 0 ? (above[c] - below[c]) / width : clear;
-        sums[c].add(std::max(1 - texel.open, 1e-3f), place, kBehindSpread, here[c], slope);
-        sums[c].add(std::max(texel.open, 1e-3f), kBackground, kBackgroundSpread,
-                    coverage * own[c] + clear * kBackground, clear);
-        const LineSums& s = sums[c];
-        rise += s.product - s.behind * s.level / s.weight;
-        run += s.behind2 - s.behind * s.behind / s.weight;
+        const float slope = width > 0 ? (above[c] - below[c]) / width : shares[c];
+        LineSums s;
+        s.add(std::max(1 - texel.open, 1e-3f), place, kBehindSpread, here[c], slope);
+        s.add(std::max(texel.open, 1e-3f), kBackground, kBackgroundSpread, coverage * own[c] + back[c],
+              (brighter[c] - back[c]) / kBehindStep);
+        const float rise = s.product - s.behind * s.level / s.weight, run = s.behind2 - s.behind * s.behind / s.weight;
+        const float passed = std::clamp(rise / run, 0.0f, 1.0f);
+        result[c] = shown_level((s.level - passed * s.behind) / s.weight);
+        result[c + 3] = kWhiteLevel * passed;
     }
-    const float passed = std::clamp(rise / run, 0.0f, 1.0f);
-    const auto added = [&](size_t c) {
-        return shown_level((sums[c].level - passed * sums[c].behind) / sums[c].weight);
-    };
-    return {added(0), added(1), added(2), kWhiteLevel * passed};
+    return result;
 }
 
 uint8_t level_byte(float v)
@@ -120,10 +126,34 @@ void put_see_through(const FitShape& shape, const EncodedTone& tone, const std::
     for (size_t k = 0; k < centres.size(); ++k) {
         const ColourPoint& c = centres[k];
         palette[k] = {{level_byte(c[0]), level_byte(c[1]), level_byte(c[2])},
-                      {level_byte(c[3]), level_byte(c[3]), level_byte(c[3])}};
+                      {level_byte(c[3]), level_byte(c[4]), level_byte(c[5])}};
     }
     for (size_t k = 0; k < points.size(); ++k)
         texels[places[k]] = static_cast<uint8_t>(nearest_centre(centres, points[k]).index);
+}
+
+// View tables change what is added, which the coverage has multiplied.
+void cover_views(const FitShape& shape, std::vector<ViewCode>& views)
+{
+    struct CoverageSum {
+        float sum = 0, count = 0;
+    };
+    std::vector<CoverageSum> coverage(views.size());
+    for (size_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        for (uint32_t corner = 0; corner < 4; ++corner) {
+            const uint32_t v = shape.vertex(static_cast<uint32_t>(p), corner);
+            if (v == PatchMesh::kNone) continue;
+            for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) coverage[v].sum += shape.see_through[t].coverage;
+            coverage[v].count += static_cast<float>(r.size());
+        }
+    }
+    for (size_t v = 0; v < views.size(); ++v) {
+        if (coverage[v].count == 0 || !views[v].is_there()) continue;
+        const float share = coverage[v].sum / coverage[v].count;
+        for (uint8_t& gain : views[v].gains)
+            gain = static_cast<uint8_t>(std::max(std::lround(share * static_cast<float>(gain)), 1L));
+    }
 }
 
 struct PalettedTexels {
@@ -137,7 +167,7 @@ constexpr size_t kMaxSamples = 32768;  // more change the palette's error by les
 ColourPoint point_of(const LevelColour& c)
 {
     const auto shown = [](float v) { return std::clamp(v, 0.0f, 255.0f); };
-    return {shown(c[0]), shown(c[1]), shown(c[2]), 0};
+    return {shown(c[0]), shown(c[1]), shown(c[2])};
 }
 
 std::vector<ColourPoint> centres_for(const std::vector<LevelColour>& texels)
@@ -252,6 +282,7 @@ FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages
         solution.refit_texels(model);
         texels = paletted(model.texels, opaque_texels(state.shape, model.texels));
     });
+    cover_views(state.shape, views.views);
     FieldParts parts = {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
                         views.colours, std::move(views.views)};
     if (state.shape.mesh.see_through_patches != 0)

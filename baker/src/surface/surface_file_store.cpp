@@ -42,8 +42,9 @@ bool is_sound(const FitBasis& basis)
                                   is_within(s.across, kReach) && is_within(s.down, kReach);
                        }) &&
            std::all_of(basis.see_through.begin(), basis.see_through.end(), [](const SeeThroughTexel& t) {
-               const Rgb& light = t.behind;
+               const Rgb &light = t.behind, &through = t.through;
                return is_within(t.coverage, 1) && is_within(t.open, 1) &&
+                      is_within(Vec3{through.r, through.g, through.b}, 1) &&
                       is_within(Vec3{light.r, light.g, light.b}, kMostLight);
            });
 }
@@ -63,12 +64,12 @@ void fields(Io& io, MovingPart& part)
 template <class Io>
 void fields(Io& io, PatchMesh& mesh)
 {
-    io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches,
+    io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches, mesh.has_panes,
        mesh.is_in_drawing_order, mesh.parts);
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size() &&
-               mesh.is_in_drawing_order <= 1 && mesh.parts.size() <= kMostMovingParts);
+               mesh.is_in_drawing_order <= 1 && mesh.has_panes <= 1 && mesh.parts.size() <= kMostMovingParts);
     for (uint32_t k = 0; k < mesh.parts.size(); ++k)
         io.require(mesh.first_patch(k) <= mesh.parts[k].first_patch &&
                    mesh.parts[k].first_patch <= mesh.opaque_patches());

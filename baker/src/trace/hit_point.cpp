@@ -192,7 +192,7 @@ float stated_opacity(const SceneData& scene, const Hit& hit)
     return material.opacity * slot_at(scene, material.maps.opacity, hit).g;
 }
 
-// The light that passes straight on.
+// The share of light that passes straight on.
 Rgb passing_light(const SceneData& scene, const Hit& hit, float cosine)
 {
     const Material& material = material_of(scene, hit);
@@ -207,12 +207,12 @@ float mean_of(const Rgb& c)
     return (c.r + c.g + c.b) / 3;
 }
 
-float cosine_at(const SceneData& scene, const Hit& hit, const Vec3& direction)
-{
-    return std::abs(dot(normalized(scene.mesh.area_vector(hit.triangle)), direction));
-}
-
 }  // namespace
+
+Rgb passing_light(const SceneData& scene, const Hit& hit, const Vec3& direction)
+{
+    return passing_light(scene, hit, std::abs(dot(normalized(scene.mesh.area_vector(hit.triangle)), direction)));
+}
 
 float opacity_of(const SceneData& scene, const Hit& hit)
 {
@@ -263,8 +263,7 @@ std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sample
         scene, ray, sampler,
         [&](const Hit& hit, float, float opacity) {
             if (material_of(scene, hit).thin)
-                through =
-                    through * passing_light(scene, hit, cosine_at(scene, hit, ray.direction)) * (1 / (1 - opacity));
+                through = through * passing_light(scene, hit, ray.direction) * (1 / (1 - opacity));
         });
 }
 
@@ -297,7 +296,7 @@ Rgb transmittance(const SceneData& scene, const Ray& ray)
     for (int k = 0; k < kMaxPasses && !is_black(share); ++k) {
         const std::optional<Hit> hit = scene.accelerator.closest(rest);
         if (!hit) return share;
-        share = share * passing_light(scene, *hit, cosine_at(scene, *hit, ray.direction));
+        share = share * passing_light(scene, *hit, ray.direction);
         rest = beyond(scene, rest, *hit);
     }
     return {};

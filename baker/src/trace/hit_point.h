@@ -46,6 +46,8 @@ std::optional<Hit> closest_opaque(const SceneData& scene, const Ray& ray, Sample
 // The opacity of the surface at a hit: the probability that it stops a ray. A pane has that of rays from straight
 // above.
 float opacity_of(const SceneData& scene, const Hit& hit);
+// The share of the light of this direction that passes straight on; on average its colours pass as rays do.
+Rgb passing_light(const SceneData& scene, const Hit& hit, const Vec3& direction);
 // How much of the light that stops there is scattered: 1 but for panes, which let more or less light through than they
 // let rays pass.
 float weight_of_stop(const SceneData& scene, const Hit& hit);
