@@ -37,13 +37,17 @@ struct Remedy {
     const char* mend;
 };
 
-// Blender's importer refuses these, too.
+// Blender's importer refuses these, too. Debian 12 has a converter for AVIF alone.
 constexpr const char* kPlainPictures =
     "get the model with PNG or JPEG pictures (many sites offer the original beside it), or convert its pictures and "
     "remove the extension from the file's text";
 constexpr Remedy kRemedies[] = {
-    {"KHR_texture_basisu", "its pictures are KTX2 files", kPlainPictures},
-    {"EXT_texture_avif", "its pictures are AVIF files", kPlainPictures},
+    {"KHR_texture_basisu", "its pictures are KTX2 files",
+     "get the model with PNG or JPEG pictures (many sites offer the original beside it); Debian has no converter, "
+     "Khronos' own is `ktx extract`"},
+    {"EXT_texture_avif", "its pictures are AVIF files",
+     "get the model with PNG or JPEG pictures, or convert those beside a .gltf by `avifdec P.avif P.png` of Debian's "
+     "libavif-bin, and replace in its text .avif by .png and EXT_texture_avif by EXT_texture_webp"},
     {"MSFT_texture_dds", "its pictures are DDS files", kPlainPictures},
     {"EXT_mesh_gpu_instancing", "its meshes are repeated by instancing", "export the instances as nodes"},
 };
