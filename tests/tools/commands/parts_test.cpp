@@ -69,6 +69,9 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
         if (pose == "0") rest = field_picture;
         CHECK((pose == "0") == (psnr_db(field_picture, rest) > 40));
     }
+    REQUIRE(lumi({"embed", field, "-o", folder / "gauge.S"}).code == 0);
+    CHECK_THAT(test::content_of(folder / "gauge.h"),
+               Catch::Contains("gauge_moving_parts = 2, gauge_part_a_b_needle = 0 }"));  // with its shadow
     check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
                   "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
     check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");

@@ -173,13 +173,14 @@ static inline size_t @SYMBOL@_size(void)
 namespace
 {
 
-std::string enum_of_parts(const std::vector<std::string>& names)
+// `count`: shadows of parts take memory, too.
+std::string enum_of_parts(const std::vector<std::string>& names, uint32_t count)
 {
     std::string text = R"(
-/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS. */
+/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS. So many, shadows included, take memory. */
 enum { @SYMBOL@_moving_parts = @COUNT@)";
     for (size_t k = 0; k < names.size(); ++k) text += ", @SYMBOL@_part_" + names[k] + " = " + std::to_string(k);
-    return replaced(text, "@COUNT@", std::to_string(names.size())) + " };\n";
+    return replaced(text, "@COUNT@", std::to_string(count)) + " };\n";
 }
 
 std::string namespace_of_parts(const std::vector<std::string>& names)
@@ -255,7 +256,7 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
     const std::vector<std::string> parts = part_identifiers(counted);
-    result = replaced(result, "@ENUM@", parts.empty() ? "" : enum_of_parts(parts));
+    result = replaced(result, "@ENUM@", parts.empty() ? "" : enum_of_parts(parts, counted.part_count));
     result = replaced(result, "@NAMESPACE@", parts.empty() ? "" : namespace_of_parts(parts));
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
     result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
