@@ -34,6 +34,8 @@ ViewError open_drawing(const uint8_t* bytes, size_t size)
     return detail::view_error(open_field(bytes, size, field));
 }
 
+void set_part(uint32_t, uint32_t) {}
+
 uint32_t drawing_modes()
 {
     return kModes;

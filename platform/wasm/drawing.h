@@ -45,6 +45,10 @@ struct Style {
 ViewError open_drawing(const uint8_t* bytes, size_t size);
 uint32_t drawing_modes();
 
+// From the next look() on a moving part is there: turns times 2^32, or radii, Q20, of one that slides. A number of no
+// part counts for nothing.
+void set_part(uint32_t part, uint32_t value);
+
 // Bytes of memory that look() takes for images of that size, whatever the style.
 uint32_t drawing_bytes(int32_t width_px, int32_t height_px);
 

@@ -15,12 +15,19 @@ constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 LUMI_CONSTANT SurfaceField field = {};
 LUMI_CONSTANT SurfaceFrame frame = {};
 void* samples = nullptr;
+uint32_t part_values[detail::format::kMaxParts] = {};
 
 }  // namespace
 
 ViewError open_drawing(const uint8_t* bytes, size_t size)
 {
+    for (uint32_t& value : part_values) value = 0;
     return detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
+}
+
+void set_part(uint32_t part, uint32_t value)
+{
+    if (part < detail::format::kMaxParts) part_values[part] = value;
 }
 
 uint32_t drawing_modes()
@@ -70,7 +77,10 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
                                     reinterpret_cast<uint16_t*>(memory + layout.links),
                                     reinterpret_cast<uint16_t*>(memory + layout.bands), kBandLog2,
                                     reinterpret_cast<uint32_t*>(memory + layout.features)};
-    detail::rest_parts(field, borrowed);
+    detail::rest_parts(field, borrowed);  // the body is prepared anew: styles may have other pixels
+    for (uint32_t k = 0; k < mover_count(field); ++k)
+        if (!turn_part(field, borrowed, k, part_values[k]))
+            slide_part(field, borrowed, k, static_cast<int32_t>(part_values[k]));
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(

@@ -197,6 +197,11 @@ LUMI_EXPORT(turn) void turn(uint32_t azimuth_turns32)
     eye.orbit.azimuth_turns32 += azimuth_turns32;
 }
 
+LUMI_EXPORT(set_part) void set_moving_part(uint32_t part, uint32_t value)
+{
+    set_part(part, value);
+}
+
 LUMI_EXPORT(azimuth) uint32_t azimuth()
 {
     return eye.orbit.azimuth_turns32;

@@ -128,16 +128,21 @@ def _front(obj, place):
     _hands(obj, place)
 
 
-def _hands(obj, place):
+def _angles():
+    """Of the hands, clockwise from 12."""
     minutes = TIME_MINUTES + TIME_SECONDS / 60
     hours = TIME_HOURS + minutes / 60
-    hands = (("hour_hand", "hands", _hand(0.235, 0.06, 0.034, 0.024), 0.330, 0.342, hours * 30),
-             ("minute_hand", "hands", _hand(0.345, 0.07, 0.026, 0.016), 0.348, 0.358, minutes * 6),
-             ("second_hand", "second_hand", _hand(0.37, 0.11, 0.011, 0.007), 0.363, 0.369, TIME_SECONDS * 6))
-    for name, material, outline, z0, z1, degrees in hands:
+    return {"hour_hand": hours * 30, "minute_hand": minutes * 6, "second_hand": TIME_SECONDS * 6}
+
+
+def _hands(obj, place):
+    hands = (("hour_hand", "hands", _hand(0.235, 0.06, 0.034, 0.024), 0.330, 0.342),
+             ("minute_hand", "hands", _hand(0.345, 0.07, 0.026, 0.016), 0.348, 0.358),
+             ("second_hand", "second_hand", _hand(0.37, 0.11, 0.011, 0.007), 0.363, 0.369))
+    for name, material, outline, z0, z1 in hands:
         obj.part(name, material)
         for face in prism(outline, z0, z1):
-            obj.face(face, roll(degrees).then(place))
+            obj.face(face, roll(_angles()[name]).then(place))
     obj.part("hand_cap", "steel")
     obj.grids(lathe(profile([(0.04, DIAL_Z, 0), (0.04, 0.378, 0.012), (0, 0.382, 0)]), 24), AXIS_TO_FRONT.then(place))
 
@@ -180,9 +185,9 @@ def files():
 
 
 def _clock(body):
-    """The same scene with hands that turn, clockwise, from the time that the model shows."""
+    """The same scene with hands that turn, clockwise from 12."""
     axis = ", ".join("%.9g" % c for c in body.vector((0, 0, -1)))
     pivot = ", ".join("%.9g" % c for c in body.point((0, 0, DIAL_Z)))
-    hands = ",\n".join('        {"name": "%s", "turn": [%s], "pivot": [%s]}' % (name, axis, pivot)
-                       for name in ("hour_hand", "minute_hand", "second_hand"))
+    hands = ",\n".join('        {"name": "%s", "turn": [%s], "pivot": [%s], "at": %.9g}' % (name, axis, pivot, angle)
+                       for name, angle in _angles().items())
     return '{\n    "objects": [{"obj": "product.obj"}],\n    "parts": [\n%s\n    ]\n}\n' % hands

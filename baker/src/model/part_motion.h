@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a part of a scene moves: it turns about an axis, or slides along it. Its pose in the scene's files is 0.
+// How a part of a scene moves: it turns about an axis, or slides along it.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct PartMovement {
     double from = 0, to = 0;  // of its poses, where it is limited: degrees, right-handed, or lengths
     double value = 0;         // of the pose that is traced
 
-    // Leads from the pose in the files to another.
+    // Leads from the mesh's pose, 0, to another.
     Affine pose(double value_of_pose) const;
 };
 

@@ -130,6 +130,19 @@ std::optional<std::array<double, 3>> axis_named(const std::string& word)
     return axis;
 }
 
+namespace
+{
+
+// From where its file has it, each part goes to the pose 0.
+void take_to_zero(const std::vector<PartOptions>& options, SceneParts& parts)
+{
+    MovingParts back = parts.moving;
+    for (size_t k = 0; k < options.size(); ++k) back.motions[k].value = -options[k].at;
+    parts.mesh = back.posed(std::move(parts.mesh));
+}
+
+}  // namespace
+
 void set_moving_parts(const std::filesystem::path& file, const std::vector<PartOptions>& options, SceneParts& parts)
 {
     const std::vector<PartOptions> all = merged(parts.part_options, options);
@@ -137,6 +150,7 @@ void set_moving_parts(const std::filesystem::path& file, const std::vector<PartO
     PartMarker marker(file.string(), parts);
     if (parts.volume) marker.fail(all[0], "cannot move in a scene with a volume");
     for (const PartOptions& part : all) marker.mark(part);
+    take_to_zero(all, parts);
     const std::vector<uint8_t>& owners = parts.moving.owners;
     if (std::find(owners.begin(), owners.end(), 0) == owners.end())
         marker.fail(all[0], "leaves nothing that stands; let one piece of the scene be no part");

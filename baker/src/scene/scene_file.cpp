@@ -235,6 +235,7 @@ private:
         part.axis = axis_of(members, part.slides ? *slide : *turn, part.slides ? "slide" : "turn");
         if (const JsonValue* pivot = members.find("pivot"))
             part.pivot = wide(members.vector_of(*pivot, "pivot", kPlace));
+        members.number("at", part.slides ? kPlace : kPoses, part.at);
         if (members.find("from") || members.find("to")) {
             const NumberRange range = part.slides ? kPlace : kPoses;
             part.range = {members.number_of(members.require("from"), "from", range),

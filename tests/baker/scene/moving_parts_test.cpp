@@ -170,6 +170,11 @@ TEST_CASE("moving parts: a scene file names them, and a caller their poses")
     pose.value = 180;
     check_near(corner(scene(turning, {pose}), 2, 0), {-1, 1, 0});
     CHECK(scene(turning, {}).moving_parts() == std::vector<std::string>{"hand"});
+    const std::string at = turning.substr(0, turning.size() - 1) + ",\"at\":90}";  // so at 0 it points 90 degrees back
+    check_near(corner(scene(at, {}), 2, 0), {-1, -1, 0});
+    pose.value = 90;
+    check_near(corner(scene(at, {pose}), 2, 0), {1, -1, 0});
+    pose.value = 180;
     pose.value = 200;
     CHECK_THROWS_WITH(scene(turning, {pose}), Catch::Contains("'hand' moves from -10 to 190, not to 200"));
     for (const auto& [text, word] : std::vector<std::pair<std::string, std::string>>{

@@ -26,12 +26,12 @@ Volume ball(float density)
 
 Scene scene_of(float density, bool solid)
 {
-    SceneParts parts;
-    parts.volume = ball(density);
+    const auto parts = std::make_unique<SceneParts>();  // on the stack, g++ 12 warns of members that are not set
+    parts->volume = ball(density);
     LoadOptions options;
     options.up = UpAxis::z;
     options.solid_volume = solid;
-    return build_scene(std::move(parts), options);
+    return build_scene(std::move(*parts), options);
 }
 
 }  // namespace

@@ -31,11 +31,11 @@ async function pageOfField() {
 }
 
 // The tool draws these from that orbit and from the other side.
-function rendered(size, mode, format, layout, background) {
+function rendered(size, mode, format, layout, background, more = []) {
   const output = path.join(folder, 'picture.png');
   const span = layout === 'chord' && mode !== 'paper' ? ['--span', '8'] : [];
   execFileSync(lumi, ['render', field, '-o', output, '--size', size, '--orbit', ORBIT, '--background', background,
-    '--mode', mode, '--pixel', format, '--turntable', '2', ...span]);
+    '--mode', mode, '--pixel', format, '--turntable', '2', ...span, ...more]);
   return ['000', '001'].map(number => readPng(path.join(folder, `picture-${number}.png`)));
 }
 
@@ -62,6 +62,20 @@ test('frames are those of lumi render, in every mode and format', async () => {
         }
       }
     }
+  }
+});
+
+test('frames show parts where lumi render has them', async () => {
+  const {data, module} = await pageOfField();
+  const number = data.parts.findIndex(part => !part.slides), pose = 70;
+  if (number < 0) return;
+  const [rest] = rendered('97x80', 'one-sample', 'rgb888', data.layout, BACKGROUND);
+  const [truth] = rendered('97x80', 'one-sample', 'rgb888', data.layout, BACKGROUND,
+    ['--part', `${data.parts[number].name}=${pose}`]);
+  assert.ok(!truth.pixels.equals(rest.pixels));
+  for (const [value, picture] of [[pose, truth], [0, rest]]) {
+    module.set_part(number, Math.round(value * 2 ** 32 / 360) | 0);
+    assert.ok(drawn(module, 97, 80, 0, 0, parseInt(BACKGROUND, 16)).equals(picture.pixels));
   }
 });
 

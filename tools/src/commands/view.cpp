@@ -84,6 +84,24 @@ Json shown_chips()
     return chips;
 }
 
+// Degrees, or radii of one that slides.
+Json moving_parts(const FieldFile& file)
+{
+    Json parts = Json::array();
+    for (uint32_t k = 0; file.is_surface() && k < mover_count(file.surface()); ++k) {
+        const PartMotion motion = part_motion(file.surface(), k);
+        const PartName name = part_name(file.surface(), k);
+        const double one = motion.slides ? kOneQ20 : 0x1p32 / 360;
+        const bool is_free = !motion.slides && motion.span == UINT32_MAX;
+        const double from = is_free ? 0 : motion.from / one, span = is_free ? 360 : motion.span / one;
+        parts.push_back({{"name", std::string(name.text, name.bytes)},
+                         {"slides", motion.slides},
+                         {"from", from},
+                         {"to", from + span}});
+    }
+    return parts;
+}
+
 int first_mode_of(const Json& modes)
 {
     for (size_t k = 0; k < modes.size(); ++k)
@@ -128,6 +146,7 @@ Json data_of(const PageOptions& options, const FieldFile& file)
                    {"distance", host::q20_from_radii(home.distance)}}},
                  {"modes", modes},
                  {"chips", shown_chips()},
+                 {"parts", moving_parts(file)},
                  {"references", Json::array()}};
     if (!options.reference.empty())
         for (const std::string& png : read_turntable(options.reference))

@@ -85,7 +85,8 @@ struct PartOptions {
     std::optional<std::array<double, 3>> pivot = std::nullopt;  // scene units and axes; of a node, its origin
     std::optional<std::array<double, 2>> range = std::nullopt;  // of poses, least first: degrees, or scene units
     bool slides = false;
-    double value = 0;  // of the pose that is traced: degrees, right-handed, or scene units; 0 is that of the files
+    double at = 0;     // the pose of the files: degrees, right-handed, or scene units
+    double value = 0;  // the pose that is traced
 };
 
 // Reads "x", "y", "z", or "-x" and the like. Nothing for other words.

@@ -99,6 +99,44 @@ function drawFrame() {
   context.putImageData(pixels, 0, 0);
 }
 
+// ---- Parts that move
+
+// What a clock's hands show, in degrees from twelve o'clock.
+const HANDS = [
+  [/second/i, time => 6 * time.getSeconds()],
+  [/minute/i, time => 6 * time.getMinutes() + time.getSeconds() / 10],
+  [/hour/i, time => 30 * time.getHours() + time.getMinutes() / 2],
+];
+const handOf = part => part.slides ? undefined : HANDS.find(([name]) => name.test(part.name));
+let shownSecond = -1;
+
+function movePart(k, value) {
+  const part = data.parts[k];
+  module.set_part(k, Math.round(value * (part.slides ? 2 ** 20 : TURN / 360)) | 0);
+  $(`part-${k}`).value = value;
+  isDirty = true;
+}
+
+function buildParts() {
+  $('parts').hidden = !data.parts.length;
+  const hands = data.parts.filter(handOf);
+  data.parts.forEach((part, k) => {
+    const slider = element('input', {type: 'range', id: `part-${k}`, min: part.from, max: part.to,
+      step: (part.to - part.from) / 720, value: 0});
+    slider.addEventListener('input', () => { $('time').checked = false; movePart(k, Number(slider.value)); });
+    $('parts').append(element('label', {}, element('span', {textContent: part.name}), slider));
+  });
+  $('time-row').hidden = !hands.length;
+  $('time').checked = hands.length > 1;
+}
+
+function showTime() {
+  const time = new Date();
+  if (!$('time').checked || time.getSeconds() === shownSecond) return;
+  shownSecond = time.getSeconds();
+  data.parts.forEach((part, k) => { if (handOf(part)) movePart(k, handOf(part)[1](time) % 360); });
+}
+
 // ---- Motion
 
 const finger = {down: false, x: 0, y: 0};  // a real one, or that of the keys
@@ -170,6 +208,7 @@ function frameIsDue(now) {
 function tick(now) {
   advance(Math.min(now - lastTick, 250));
   lastTick = now;
+  showTime();
   if (isDirty && frameIsDue(now)) {
     isDirty = false;
     if (state.comparing) drawCompared(); else drawSeen();
@@ -410,6 +449,7 @@ async function start() {
   try {
     const fieldBytes = await startModule();
     buildSettings(fieldBytes);
+    buildParts();
     listen();
     fitScreen();
     showSettings();
