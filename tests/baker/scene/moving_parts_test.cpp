@@ -16,17 +16,17 @@ using testing::GltfMaker;
 using testing::ScratchFolder;
 
 // A dial in the plane z = 0 and a hand before it that shares two of its corners, from the middle to x = 1.
-const std::string kDial =
+const std::string kDialScene =
     "mtllib m.mtl\no dial\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
     "o hand\nusemtl red\nv 0 0 0.1\nf 2 3 5\no pane\nusemtl pane\nv 0 0 -0.5\nv 0.1 0 -0.5\nv 0 0.1 -0.5\nf 6 7 8\n"
     "o bulb\nusemtl glass\nv 0 0 -0.6\nv 0.1 0 -0.6\nv 0 0.1 -0.6\nv 0 0 -0.7\n"
     "f 9 11 10\nf 9 10 12\nf 10 11 12\nf 9 12 11\n";
-const std::string kMaterials =
+const std::string kDialMaterials =
     "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl red\nKd 1 0 0\nnewmtl pane\nKd 1 1 1\nd 0.4\nnewmtl glass\nillum 7\nNi 1.5\n";
 
 std::string without_bulb()
 {
-    return kDial.substr(0, kDial.find("o bulb"));
+    return kDialScene.substr(0, kDialScene.find("o bulb"));
 }
 
 PartOptions hand(double value = 0)
@@ -39,10 +39,10 @@ PartOptions hand(double value = 0)
     return part;
 }
 
-Scene scene_of(const std::vector<PartOptions>& parts, const std::string& obj = without_bulb())
+Scene dial_with(const std::vector<PartOptions>& parts, const std::string& obj = without_bulb())
 {
     const ScratchFolder folder;
-    folder.write("m.mtl", kMaterials);
+    folder.write("m.mtl", kDialMaterials);
     LoadOptions options;
     options.up = UpAxis::z;
     options.parts = parts;
@@ -57,36 +57,36 @@ Vec3 corner(const Scene& scene, size_t triangle, size_t k)
     return scene.data().mesh.position(triangle, k) * scene.radius() + Vec3{c[0], c[1], c[2]};
 }
 
-void check_near(const Vec3& a, const Vec3& b)
+void check_place(const Vec3& a, const Vec3& b)
 {
     CHECK(length(a - b) < 1e-5f);
 }
 
-void check_refused(const std::vector<PartOptions>& parts, const std::string& word,
-                   const std::string& obj = without_bulb())
+void check_part_refused(const std::vector<PartOptions>& parts, const std::string& word,
+                        const std::string& obj = without_bulb())
 {
-    CHECK_THROWS_WITH(scene_of(parts, obj), Catch::Contains("s.obj: ") && Catch::Contains(word));
+    CHECK_THROWS_WITH(dial_with(parts, obj), Catch::Contains("s.obj: ") && Catch::Contains(word));
 }
 
 }  // namespace
 
 TEST_CASE("moving parts: a part turns by the right-hand rule and leaves what shares its corners")
 {
-    const Scene scene = scene_of({hand(90)});
-    check_near(corner(scene, 2, 0), {1, 1, 0});
-    check_near(corner(scene, 2, 1), {-1, 1, 0});
-    check_near(corner(scene, 2, 2), {0, 0, 0.1f});
-    check_near(corner(scene, 0, 1), {1, -1, 0});
+    const Scene scene = dial_with({hand(90)});
+    check_place(corner(scene, 2, 0), {1, 1, 0});
+    check_place(corner(scene, 2, 1), {-1, 1, 0});
+    check_place(corner(scene, 2, 2), {0, 0, 0.1f});
+    check_place(corner(scene, 0, 1), {1, -1, 0});
 }
 
 TEST_CASE("moving parts: one sphere holds every pose, whichever is traced, in the same light")
 {
     PartOptions away = hand();
     away.pivot = {1, 0, 0};
-    const Scene rest = scene_of({away});
-    CHECK(rest.radius() > scene_of({}).radius() + 0.1f);
+    const Scene rest = dial_with({away});
+    CHECK(rest.radius() > dial_with({}).radius() + 0.1f);
     for (away.value = -180; away.value <= 180; away.value += 22.5) {
-        const Scene scene = scene_of({away});
+        const Scene scene = dial_with({away});
         CHECK(scene.radius() == rest.radius());
         CHECK(scene.centre() == rest.centre());
         CHECK(scene.data().choice.exposure == rest.data().choice.exposure);
@@ -98,16 +98,16 @@ TEST_CASE("moving parts: a part that turns little takes little room, and one tha
 {
     PartOptions away = hand();
     away.pivot = {3, 0, 0};
-    const float round = scene_of({away}).radius();
+    const float round = dial_with({away}).radius();
     away.range = {-5, 5};
-    const float little = scene_of({away}).radius();
+    const float little = dial_with({away}).radius();
     CHECK(little < 0.5f * round);
     PartOptions sliding = hand(2);
     sliding.slides = true;
     sliding.axis = {0, 2, 0};
     sliding.range = {0, 2};
-    const Scene slid = scene_of({sliding});
-    check_near(corner(slid, 2, 0), {1, 1, 0});
+    const Scene slid = dial_with({sliding});
+    check_place(corner(slid, 2, 0), {1, 1, 0});
     CHECK(slid.radius() > 1.5f);
 }
 
@@ -115,14 +115,14 @@ TEST_CASE("moving parts: each part is lit with the body, and the body alone")
 {
     PartOptions other = hand();
     other.name = "dial";
-    const Scene scene = scene_of({hand(), other});
+    const Scene scene = dial_with({hand(), other});
     const LitScenes lit(scene.data());
     REQUIRE(lit.owners() == 3);
     CHECK(lit.of(0).mesh.triangle_count() == 1);
     CHECK(lit.of(1).mesh.triangle_count() == 2);
     CHECK(lit.of(2).mesh.triangle_count() == 3);
     CHECK(lit.of(2).radius == scene.data().radius);
-    const Scene still = scene_of({});
+    const Scene still = dial_with({});
     CHECK(LitScenes(still.data()).of(0).mesh.triangle_count() == still.data().mesh.triangle_count());
     CHECK(scene.fingerprint() != still.fingerprint());
 }
@@ -146,15 +146,15 @@ TEST_CASE("moving parts: a node's own axis and origin are the part's")
     options.parts[0].pivot = std::nullopt;
     std::vector<std::string> warnings;
     const Scene scene = load_scene(folder.write("m.glb", maker.glb()), options, warnings);
-    check_near(corner(scene, 1, 0), {5, 0, 0});
-    check_near(corner(scene, 1, 1), {5, 2, 0});
-    check_near(corner(scene, 1, 2), {5, 0, 2});
+    check_place(corner(scene, 1, 0), {5, 0, 0});
+    check_place(corner(scene, 1, 1), {5, 2, 0});
+    check_place(corner(scene, 1, 2), {5, 0, 2});
 }
 
 TEST_CASE("moving parts: a scene file names them, and a caller their poses")
 {
     const ScratchFolder folder;
-    folder.write("m.mtl", kMaterials);
+    folder.write("m.mtl", kDialMaterials);
     folder.write("s.obj", without_bulb());
     const auto scene = [&](const std::string& parts, const std::vector<PartOptions>& poses) {
         LoadOptions options;
@@ -168,12 +168,12 @@ TEST_CASE("moving parts: a scene file names them, and a caller their poses")
     PartOptions pose;
     pose.name = "hand";
     pose.value = 180;
-    check_near(corner(scene(turning, {pose}), 2, 0), {-1, 1, 0});
+    check_place(corner(scene(turning, {pose}), 2, 0), {-1, 1, 0});
     CHECK(scene(turning, {}).moving_parts() == std::vector<std::string>{"hand"});
     const std::string at = turning.substr(0, turning.size() - 1) + ",\"at\":90}";  // so at 0 it points 90 degrees back
-    check_near(corner(scene(at, {}), 2, 0), {-1, -1, 0});
+    check_place(corner(scene(at, {}), 2, 0), {-1, -1, 0});
     pose.value = 90;
-    check_near(corner(scene(at, {pose}), 2, 0), {1, -1, 0});
+    check_place(corner(scene(at, {pose}), 2, 0), {1, -1, 0});
     pose.value = 180;
     pose.value = 200;
     CHECK_THROWS_WITH(scene(turning, {pose}), Catch::Contains("'hand' moves from -10 to 190, not to 200"));
@@ -191,24 +191,24 @@ TEST_CASE("moving parts: what cannot move is refused by name")
 {
     PartOptions unknown = hand();
     unknown.name = "hands";
-    check_refused({unknown}, "'hands' (did you mean hand?); choose among: dial, ");
+    check_part_refused({unknown}, "'hands' (did you mean hand?); choose among: dial, ");
     PartOptions nowhere = hand();
     nowhere.pivot = std::nullopt;
-    check_refused({nowhere}, "'hand' has no pivot");
+    check_part_refused({nowhere}, "'hand' has no pivot");
     PartOptions still = hand();
     still.axis = std::nullopt;
-    check_refused({still}, "'hand' has no axis");
+    check_part_refused({still}, "'hand' has no axis");
     still.axis = {0, 0, 0};
-    check_refused({still}, "an axis without a length");
-    check_refused({hand(), hand()}, "a part cannot lie within another");
+    check_part_refused({still}, "an axis without a length");
+    check_part_refused({hand(), hand()}, "a part cannot lie within another");
     PartOptions pane = hand();
     pane.name = "pane";
-    check_refused({pane}, "'pane' lets light pass by its material 'pane'");
-    check_refused({hand()}, "a body of glass ('glass')", kDial);
+    check_part_refused({pane}, "'pane' lets light pass by its material 'pane'");
+    check_part_refused({hand()}, "a body of glass ('glass')", kDialScene);
     PartOptions dial = hand();
     dial.name = "dial";
-    const std::string two = kDial.substr(0, kDial.find("o pane"));
-    check_refused({hand(), dial}, "leaves nothing that stands", two);
+    const std::string two = kDialScene.substr(0, kDialScene.find("o pane"));
+    check_part_refused({hand(), dial}, "leaves nothing that stands", two);
     std::string many;
     std::vector<PartOptions> parts;
     for (int k = 0; k < 17; ++k) {
@@ -216,9 +216,9 @@ TEST_CASE("moving parts: what cannot move is refused by name")
         parts.back().name = "p" + std::to_string(k);
         many += "o " + parts.back().name + "\nf 1 2 3\n";
     }
-    check_refused(parts, "'p16' is one more than a field holds, 16", two + many);
+    check_part_refused(parts, "'p16' is one more than a field holds, 16", two + many);
     parts.pop_back();
-    CHECK(scene_of(parts, two + many).moving_parts().size() == 16);
+    CHECK(dial_with(parts, two + many).moving_parts().size() == 16);
 }
 
 }  // namespace lumi::baker
