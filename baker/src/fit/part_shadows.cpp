@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "fit/encoded_tone.h"
+#include "lumi/surface/format.h"
 #include "math/sampler.h"
 #include "scene/moving_parts.h"
 #include "trace/path_tracer.h"
@@ -15,14 +15,13 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kFlatReceiver = 0.01f;    // radii: a receiver strays by no more
-constexpr float kLift = 0.008f;           // radii above the receiver, whose mesh may stray by as much
-constexpr float kFarthest = 0.5f;         // of the part's reach: a receiver farther off gets no shadow that shows
-constexpr uint32_t kShadowPoses = 8;      // that the shadow is the mean of
-constexpr uint32_t kShadowPaths = 48;     // to a texel in a pose, with the part and without
-constexpr uint32_t kMostShadowSide = 63;  // texels
-constexpr float kFaint = 0.02f;           // a share of the light that no one misses
-constexpr double kExplained = 1.0 / 3;    // of the shadow, squared: a shadow that explains less is dropped
+constexpr float kFlatReceiver = 0.01f;  // radii: a receiver strays by no more
+constexpr float kLift = 0.008f;         // radii above the receiver, whose mesh may stray by as much
+constexpr float kFarthest = 0.5f;       // of the part's reach: a receiver farther off gets no shadow that shows
+constexpr uint32_t kShadowPoses = 8;    // that the shadow is the mean of
+constexpr uint32_t kShadowPaths = 48;   // to a texel in a pose, with the part and without
+constexpr float kFaint = 0.02f;         // a share of the light that no one misses
+constexpr double kExplained = 1.0 / 3;  // of the shadow, squared: a shadow that explains less is dropped
 constexpr uint64_t kShadowSeed = 0x73686164;
 
 // The plane of a receiver, and a frame in it that turns with the part: u along the part's length.
@@ -127,7 +126,7 @@ Grid grid_around(const std::vector<Vec3>& corners, const Receiver& receiver)
     const Vec2 size = {high.x - low.x + 2 * margin, high.y - low.y + 2 * margin};
     const auto cells = [&](float side) {
         return static_cast<uint32_t>(
-            std::clamp(std::ceil(side / (kCell * receiver.gap)), 4.0f, float{kMostShadowSide}));
+            std::clamp(std::ceil(side / (kCell * receiver.gap)), 4.0f, float{detail::format::kMaxPatchSide}));
     };
     Grid grid;
     grid.columns = cells(size.x);
@@ -178,13 +177,8 @@ private:
         shade.taken.assign(grid_.size(), 0);
         shade.light.assign(grid_.size(), 0);
         job.run(grid_.rows, [&](uint32_t row) {
-            for (uint32_t k = row * grid_.columns; k < (row + 1) * grid_.columns; ++k) {
-                const Vec3 p = receiver_.at(grid_.middle(k));
-                const auto at =
-                    point_of(pose, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
-                const Vec3 place = {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])};
-                measure(place, k, with, without, shade);
-            }
+            for (uint32_t k = row * grid_.columns; k < (row + 1) * grid_.columns; ++k)
+                measure(moved(pose, receiver_.at(grid_.middle(k))), k, with, without, shade);
             job.add_rays(uint64_t{2} * kShadowPaths * grid_.columns);
         });
     }

@@ -8,6 +8,7 @@
 
 #include "image/tone.h"
 #include "lumi/baker/surface.h"
+#include "lumi/surface/format.h"
 #include "mesh/patch_mesh.h"
 
 namespace lumi::baker
@@ -25,7 +26,9 @@ template <class Io>
 void fields(Io& io, PartShadow& s)
 {
     io(s.part, s.pivot, s.corner, s.across, s.down, s.columns, s.rows, s.passed);
-    io.require(s.passed.size() == size_t{s.columns} * s.rows && s.columns <= 63 && s.rows <= 63);
+    constexpr uint32_t kMost = detail::format::kMaxPatchSide;
+    io.require(s.passed.size() == size_t{s.columns} * s.rows && s.columns <= kMost && s.rows <= kMost &&
+               !s.passed.empty());
 }
 
 struct PartShadows {

@@ -312,6 +312,10 @@ BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, Bake
             Job quiet(mesh_work(*alone, part), job.threads(), as_whole);
             stages.begin_part(k + 1);
             parts.push_back(standing_mesh(*alone, part, stages, quiet));
+            if (parts[k].mesh.see_through_patches != 0) {
+                throw BakeError("the part '" + scene.moving.motions[k].name +
+                                "' has a picture of soft opacity, and parts that move are opaque");
+            }
             body.triangles -= std::min(body.triangles - kFewest, triangle_count(parts[k].mesh));
         }
         stages.begin_part(0);

@@ -14,16 +14,6 @@ constexpr double kRadians = static_cast<double>(kPi) / 180;
 
 using Vec3d = std::array<double, 3>;
 
-Vec3d wide(const Vec3& v)
-{
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-Vec3 narrow(const Vec3d& v)
-{
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-}
-
 // A turn about an axis of unit length (Rodrigues' formula).
 Affine turn_about(const Vec3d& axis, const Vec3d& pivot, double radians)
 {
@@ -38,12 +28,6 @@ Affine turn_about(const Vec3d& axis, const Vec3d& pivot, double radians)
         }
     }
     return turn;
-}
-
-Vec3 moved(const Affine& pose, const Vec3& p)
-{
-    const Vec3d v = wide(p);
-    return narrow(point_of(pose, v[0], v[1], v[2]));
 }
 
 Vec3 turned(const Affine& pose, const Vec3& n)
@@ -109,8 +93,8 @@ void add_poses(const PartMovement& motion, const std::vector<Vec3>& corners, std
 
 Affine PartMovement::pose(double value_of_pose) const
 {
-    const Vec3d a = wide(axis);
-    if (!slides) return turn_about(a, wide(pivot), value_of_pose * kRadians);
+    const Vec3d a = in_doubles(axis);
+    if (!slides) return turn_about(a, in_doubles(pivot), value_of_pose * kRadians);
     Affine slide = kIdentity;
     for (size_t k = 0; k < 3; ++k) slide[k][3] = a[k] * value_of_pose;
     return slide;

@@ -12,8 +12,6 @@
 namespace lumi::baker
 {
 
-inline constexpr size_t kMostMovingParts = 16;
-
 // Places are in the frame of the mesh that the part belongs to.
 struct PartMovement {
     std::string name;

@@ -89,13 +89,18 @@ bool has_room(const FitShape& shape, const ShadowPieces& pieces)
 
 }  // namespace
 
-void add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldParts& parts)
+std::vector<std::string> add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldParts& parts)
 {
+    std::vector<std::string> notes;
     PatchMesh& mesh = shape.mesh;
     uint32_t texels = shape.layout.texels;
     for (const PartShadow& shadow : shadows) {
         const ShadowPieces pieces(shadow, mesh.longest_edge);
-        if (!has_room(shape, pieces) || mesh.parts.size() == kMostMovingParts) continue;
+        if (!has_room(shape, pieces) || mesh.parts.size() == detail::format::kMaxParts) {
+            notes.push_back("the part '" + mesh.parts[shadow.part].name +
+                            "' casts no shadow: the field has no room for it");
+            continue;
+        }
         MovingPart follower = mesh.parts[shadow.part];
         follower.name.clear();
         follower.pivot = shadow.pivot;
@@ -110,14 +115,17 @@ void add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldP
         const auto share = static_cast<uint8_t>(k);
         parts.see_through[k] = {{0, 0, 0}, {share, share, share}};
     }
+    return notes;
 }
 
 uint64_t most_shadow_bytes(size_t parts)
 {
-    constexpr uint64_t kMostTexels = 63 * 63, kReach = detail::format::patch_reach(63);
     namespace format = detail::format;
+    constexpr uint64_t kSide = format::kMaxPatchSide, kMostTexels = kSide * kSide,
+                       kReach = format::patch_reach(format::kMaxPatchSide);
     const uint64_t piece = format::kPatchBytes + format::kNeighbourBytes + 2 * format::kVertexBytes;
-    return parts == 0 ? 0 : format::kSeeThroughBytes + kReach + parts * (format::kPartBytes + kMostTexels / 2 + 12 * piece);
+    return parts == 0 ? 0
+                      : format::kSeeThroughBytes + kReach + parts * (format::kPartBytes + kMostTexels / 2 + 12 * piece);
 }
 
 }  // namespace lumi::baker

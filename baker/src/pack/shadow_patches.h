@@ -9,8 +9,8 @@ namespace lumi::baker
 {
 
 // Adds see-through patches that follow their parts. Precondition: the shape has none yet. Leaves those out for which
-// the format has no room.
-void add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldParts& parts);
+// the format has no room, and says so, a sentence each.
+std::vector<std::string> add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldParts& parts);
 
 // The most bytes that they take of a field with so many parts.
 uint64_t most_shadow_bytes(size_t parts);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumi/surface/format.h"
 #include "scene/named_triangles.h"
 #include "util/text_lines.h"
 
@@ -14,8 +15,6 @@ namespace
 
 using Vec3d = std::array<double, 3>;
 
-constexpr size_t kLongestName = 40;  // bytes, as lumi/surface/format.h has it
-
 class PartMarker
 {
 public:
@@ -24,10 +23,10 @@ public:
     void mark(const PartOptions& options)
     {
         MovingParts& moving = parts_.moving;
-        if (options.name.empty() || options.name.size() > kLongestName)
+        if (options.name.empty() || options.name.size() > detail::format::part::kNameBytes)
             fail(options, "has a name of " + std::to_string(options.name.size()) + " bytes; a field holds 1 to 40");
-        if (moving.motions.size() == kMostMovingParts)
-            fail(options, "is one more than a field holds, " + std::to_string(kMostMovingParts));
+        if (moving.motions.size() == detail::format::kMaxParts)
+            fail(options, "is one more than a field holds, " + std::to_string(detail::format::kMaxParts));
         const std::vector<bool> chosen = triangles_named(options.name, file_, parts_);
         moving.owners.resize(chosen.size(), 0);
         moving.motions.push_back(motion_of(options));
@@ -64,7 +63,7 @@ private:
         motion.axis = axis_of(options, frame.value_or(kIdentity));
         Vec3d pivot = options.pivot ? *options.pivot : frame ? point_of(*frame, 0, 0, 0) : Vec3d{};
         for (size_t k = 0; k < 3 && (options.pivot || !frame); ++k) pivot[k] -= parts_.origin[k];
-        motion.pivot = {static_cast<float>(pivot[0]), static_cast<float>(pivot[1]), static_cast<float>(pivot[2])};
+        motion.pivot = in_floats(pivot);
         motion.is_limited = options.range.has_value();
         if (options.range) {
             motion.from = (*options.range)[0];
@@ -96,8 +95,7 @@ private:
             for (size_t k = 0; k < 3; ++k) axis[row] += frame[row][k] * (*options.axis)[k];
         const double size = std::hypot(axis[0], axis[1], axis[2]);
         if (!(size > 0) || !std::isfinite(size)) fail(options, "has an axis without a length");
-        return {static_cast<float>(axis[0] / size), static_cast<float>(axis[1] / size),
-                static_cast<float>(axis[2] / size)};
+        return in_floats({axis[0] / size, axis[1] / size, axis[2] / size});
     }
 
     const std::string file_;
@@ -154,7 +152,8 @@ void set_moving_parts(const std::filesystem::path& file, const std::vector<PartO
     const std::vector<uint8_t>& owners = parts.moving.owners;
     if (std::find(owners.begin(), owners.end(), 0) == owners.end())
         marker.fail(all[0], "leaves nothing that stands; let one piece of the scene be no part");
-    for (const Material& material : parts.materials) {
+    for (const uint32_t number : parts.mesh.materials) {
+        const Material& material = parts.materials[number];
         if (material.glass) {
             marker.fail(all[0], "cannot move in a scene with a body of glass ('" + material.name +
                                     "'), which bends the light of what lies behind it; make thin panes of it");

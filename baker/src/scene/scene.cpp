@@ -5,6 +5,7 @@
 #include "scene/moving_parts.h"
 #include "scene/scene_data.h"
 #include "scene/scene_fingerprint.h"
+#include "util/text_lines.h"
 #include "volume/iso_surface.h"
 
 namespace lumi::baker
@@ -35,22 +36,22 @@ void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
 
 // Points that the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty,
 // where moving parts come.
-std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up)
+std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up, bool has_poses)
 {
     std::vector<Vec3> points;
     if (parts.volume) points = corners_of(*parts.volume);
-    if (!parts.moving.empty()) points = parts.moving.swept(parts.mesh);
+    if (has_poses && !parts.moving.empty()) points = parts.moving.swept(parts.mesh);
     if (parts.catcher) add_rim(*parts.catcher, up, points);
     return points;
 }
 
 // Only what triangles use: a stray vertex must not enlarge the sphere.
-BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up)
+BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up, bool has_poses = true)
 {
     const Mesh& mesh = parts.mesh;
     std::vector<bool> used(mesh.positions.size(), false);
     for (const Mesh::Corners& c : mesh.corners) used[c[0]] = used[c[1]] = used[c[2]] = !parts.mesh_is_shell;
-    std::vector<Vec3> points = other_points(parts, up);
+    std::vector<Vec3> points = other_points(parts, up, has_poses);
     points.reserve(points.size() + mesh.positions.size());
     for (size_t i = 0; i < used.size(); ++i)
         if (used[i]) points.push_back(mesh.positions[i]);
@@ -81,7 +82,7 @@ std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const Bou
 // How far the scene reaches from the sphere's centre.
 double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up)
 {
-    const std::vector<Vec3> others = other_points(parts, up);
+    const std::vector<Vec3> others = other_points(parts, up, true);
     double farthest = 0;
     const auto take = [&](const Vec3& p) {
         farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - sphere.centre[0],
@@ -110,6 +111,17 @@ BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
                          "; give a larger radius, or leave out 'sphere'");
     }
     return *parts.sphere;
+}
+
+// Says by how much the poses of parts make the sphere larger, and all else smaller in pictures.
+void note_growth(const BoundingSphere& sphere, double margin, UpAxis up, SceneParts& parts)
+{
+    constexpr double kSeen = 1.02;
+    if (parts.moving.empty() || parts.sphere) return;
+    const double growth = sphere.radius / (fit_sphere(parts, up, false).radius * (1 + margin));
+    if (growth >= kSeen)
+        parts.notes.push_back("the sphere is " + number_text(std::round(100 * growth) / 100) +
+                              " times as large as the scene, to hold every pose of its parts");
 }
 
 // From the frame of the unit sphere to scene units and axes: what moved_into_sphere undoes.
@@ -215,12 +227,21 @@ void add_shell(SceneParts& parts)
     parts.materials = {material};
 }
 
+constexpr float kFarthestAxis = 1.9f;  // radii: the format ends at 2, and a shadow's axis is shifted a little
+
 // Parts that move, in the frame of the unit sphere.
 MovingParts moved_into_sphere(MovingParts moving, const BoundingSphere& sphere, UpAxis up)
 {
     for (PartMovement& motion : moving.motions) {
         motion.axis = to_sphere_axes(motion.axis, up);
-        motion.pivot = moved_into_sphere(motion.pivot, sphere, up);
+        const Vec3 pivot = moved_into_sphere(motion.pivot, sphere, up);
+        motion.pivot = pivot - motion.axis * dot(pivot, motion.axis);  // the axis comes nearest to the centre there
+        if (!motion.slides && length(motion.pivot) > kFarthestAxis) {
+            throw SceneError("the part '" + motion.name + "' turns about an axis that lies " +
+                             number_text(static_cast<double>(length(motion.pivot))) +
+                             " radii from the middle of the scene, at most " +
+                             number_text(static_cast<double>(kFarthestAxis)) + "; give it a pivot nearer to it");
+        }
         if (!motion.slides) continue;
         for (double* length : {&motion.from, &motion.to, &motion.value}) *length /= sphere.radius;
     }
@@ -260,6 +281,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
           const BoundingSphere sphere = sphere_of(parts, options.margin, up);
           for (size_t k = 0; k < 3; ++k) centre[k] = sphere.centre[k] + parts.origin[k];
           radius = sphere.radius;
+          note_growth(sphere, options.margin, up, parts);
           moving = moved_into_sphere(std::move(parts.moving), sphere, up);
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),

@@ -44,11 +44,6 @@ SceneParts read_iso_object(const std::filesystem::path& scene_file, JsonMembers&
 
 constexpr NumberRange kPoses = {-3600, 3600};  // degrees
 
-std::array<double, 3> wide(const Vec3& v)
-{
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
 class SceneFileReader
 {
 public:
@@ -234,7 +229,7 @@ private:
         part.slides = slide != nullptr;
         part.axis = axis_of(members, part.slides ? *slide : *turn, part.slides ? "slide" : "turn");
         if (const JsonValue* pivot = members.find("pivot"))
-            part.pivot = wide(members.vector_of(*pivot, "pivot", kPlace));
+            part.pivot = in_doubles(members.vector_of(*pivot, "pivot", kPlace));
         members.number("at", part.slides ? kPlace : kPoses, part.at);
         if (members.find("from") || members.find("to")) {
             const NumberRange range = part.slides ? kPlace : kPoses;
@@ -247,7 +242,7 @@ private:
 
     static std::array<double, 3> axis_of(const JsonMembers& members, const JsonValue& value, const std::string& name)
     {
-        if (value.kind != JsonValue::Kind::text) return wide(members.vector_of(value, name, kPlace));
+        if (value.kind != JsonValue::Kind::text) return in_doubles(members.vector_of(value, name, kPlace));
         const std::optional<std::array<double, 3>> axis = axis_named(value.text);
         if (!axis) members.fail(value, "'" + name + "' must be \"x\", \"y\", \"z\" or three numbers");
         return *axis;
@@ -312,7 +307,13 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, 
     if (!options.frame.empty()) frame_part(file, options.frame, parts);
     set_moving_parts(file, options.parts, parts);
     const std::array<double, 3> origin = parts.origin;
-    Scene scene = build_scene(std::move(parts), options);
+    Scene scene = [&] {
+        try {
+            return build_scene(std::move(parts), options);
+        } catch (const SceneError& error) {
+            throw SceneError(at({file.string()}, error.what()));
+        }
+    }();
     for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));
     report_doubts(scene.data(), origin, file, warnings);
     return scene;

@@ -138,8 +138,8 @@ public:
         job_.finish();
         SurfaceBake bake;
         FitShape shape = shape_;
-        add_shadows(shadows_.shadows, shape, parts);
         bake.notes = shadows_.notes;
+        for (std::string& note : add_shadows(shadows_.shadows, shape, parts)) bake.notes.push_back(std::move(note));
         bake.file = surface_file(shape, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
         for (const ViewCode& view : parts.views) bake.viewed_vertices += view.is_there() ? 1u : 0u;

@@ -69,7 +69,7 @@ void fields(Io& io, PatchMesh& mesh)
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size() &&
-               mesh.is_in_drawing_order <= 1 && mesh.has_panes <= 1 && mesh.parts.size() <= kMostMovingParts);
+               mesh.is_in_drawing_order <= 1 && mesh.has_panes <= 1 && mesh.parts.size() <= detail::format::kMaxParts);
     for (uint32_t k = 0; k < mesh.parts.size(); ++k)
         io.require(mesh.first_patch(k) <= mesh.parts[k].first_patch &&
                    mesh.parts[k].first_patch <= mesh.opaque_patches());

@@ -20,6 +20,22 @@ inline std::array<double, 3> point_of(const Affine& m, double x, double y, doubl
     return result;
 }
 
+inline std::array<double, 3> in_doubles(const Vec3& v)
+{
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+inline Vec3 in_floats(const std::array<double, 3>& v)
+{
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+inline Vec3 moved(const Affine& m, const Vec3& p)
+{
+    const std::array<double, 3> v = in_doubles(p);
+    return in_floats(point_of(m, v[0], v[1], v[2]));
+}
+
 // Applies first b, then a.
 inline Affine combined(const Affine& a, const Affine& b)
 {

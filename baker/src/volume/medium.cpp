@@ -100,11 +100,7 @@ float mix(float a, float b, float share)
 std::vector<Vec3> corners_of(const Volume& volume)
 {
     std::vector<Vec3> corners = Majorants(volume.grid, volume.transfer).corners();
-    for (Vec3& c : corners) {
-        const auto p = point_of(volume.grid.voxel_to_world, static_cast<double>(c.x), static_cast<double>(c.y),
-                                static_cast<double>(c.z));
-        c = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-    }
+    for (Vec3& c : corners) c = moved(volume.grid.voxel_to_world, c);
     return corners;
 }
 

@@ -85,6 +85,8 @@ TEST_CASE("moving parts: one sphere holds every pose, whichever is traced, in th
     away.pivot = {1, 0, 0};
     const Scene rest = dial_with({away});
     CHECK(rest.radius() > dial_with({}).radius() + 0.1f);
+    REQUIRE(!rest.notes().empty());
+    CHECK_THAT(rest.notes().front(), Catch::Contains(" times as large as the scene"));
     for (away.value = -180; away.value <= 180; away.value += 22.5) {
         const Scene scene = dial_with({away});
         CHECK(scene.radius() == rest.radius());
@@ -97,7 +99,7 @@ TEST_CASE("moving parts: one sphere holds every pose, whichever is traced, in th
 TEST_CASE("moving parts: a part that turns little takes little room, and one that slides reaches both ends")
 {
     PartOptions away = hand();
-    away.pivot = {3, 0, 0};
+    away.pivot = {2.5, 0, 0};
     const float round = dial_with({away}).radius();
     away.range = {-5, 5};
     const float little = dial_with({away}).radius();
@@ -200,6 +202,12 @@ TEST_CASE("moving parts: what cannot move is refused by name")
     check_part_refused({still}, "'hand' has no axis");
     still.axis = {0, 0, 0};
     check_part_refused({still}, "an axis without a length");
+    PartOptions far = hand();
+    far.pivot = {9, 0, 0};
+    far.range = {-1, 1};
+    CHECK_THROWS_WITH(dial_with({far}), Catch::Contains("'hand' turns about an axis that lies"));
+    far.axis = {1, 0, 0};  // the axis itself is near
+    CHECK(length(dial_with({far}).data().moving.motions[0].pivot) < 1);
     check_part_refused({hand(), hand()}, "a part cannot lie within another");
     PartOptions pane = hand();
     pane.name = "pane";

@@ -93,7 +93,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     quality::Yardstick by = {report.views, report.references, way_of(options)};
     const Waiting waiting("measuring fields");
     for (const auto& field : fields) {
-        by.way.surface.parts = values_of(posed(options.scene.parts), *field);
+        if (!options.fields.empty()) by.way.surface.parts = values_of(posed(options.scene.parts), *field);
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
             report.variants.push_back(std::move(variant));

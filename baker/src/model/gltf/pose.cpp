@@ -308,10 +308,7 @@ bool bend(const GltfModel& model, const GltfPrimitive& primitive, const std::vec
         if (!(total > 0)) continue;  // nothing holds it
         for (std::array<double, 4>& row : sum)
             for (double& number : row) number /= total;
-        const Vec3& p = shape.positions[vertex];
-        const std::array<double, 3> q =
-            point_of(sum, static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
-        shape.positions[vertex] = {static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2])};
+        shape.positions[vertex] = moved(sum, shape.positions[vertex]);
         Affine turn = cofactors(sum);
         if (!shape.normals.empty()) shape.normals[vertex] = turned(turn, shape.normals[vertex]);
     }

@@ -126,8 +126,8 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     using namespace detail;
     constexpr bool kMayHaveGlass = has(kFeatures, SurfaceFeatures::see_through);
     constexpr bool kMayMove = has(kFeatures, SurfaceFeatures::parts);
-    using Pieces = PiecesOf<kMayMove>;
-    using SeeThrough = typename SeeThroughPiecesFor<kMayMove>::Type;
+    using Pieces = typename PiecesFor<kMayMove, TrianglePieces, MovingPieces>::Type;
+    using SeeThrough = typename PiecesFor<kMayMove, SeeThroughPieces, MovingSeeThroughPieces>::Type;
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
     if (covered.width_px == 0) return;

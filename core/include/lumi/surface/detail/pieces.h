@@ -127,16 +127,15 @@ private:
     bool next_cut();
 };
 
-template <bool kMove>
+// The pieces of a firmware whose parts may move, or of one that links nothing for that.
+template <bool kMove, class Resting, class Moving>
 struct PiecesFor {
-    using Type = TrianglePieces;
+    using Type = Resting;
 };
-template <>
-struct PiecesFor<true> {
-    using Type = MovingPieces;
+template <class Resting, class Moving>
+struct PiecesFor<true, Resting, Moving> {
+    using Type = Moving;
 };
-template <bool kMove>
-using PiecesOf = typename PiecesFor<kMove>::Type;
 
 // Cuts rows to what lies in the target, one after the other:
 //

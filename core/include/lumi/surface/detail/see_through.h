@@ -46,15 +46,6 @@ public:
     LUMI_HOT bool next();
 };
 
-template <bool kMove>
-struct SeeThroughPiecesFor {
-    using Type = SeeThroughPieces;
-};
-template <>
-struct SeeThroughPiecesFor<true> {
-    using Type = MovingSeeThroughPieces;
-};
-
 // How much of a sample without a surface is covered, as its depth says it: kMostClear, which is nothing, to 0.
 inline constexpr uint32_t kMostClear = kFarDepth - 1 - kShownDepth;
 
