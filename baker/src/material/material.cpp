@@ -205,6 +205,11 @@ Rgb Material::absorbed(float distance) const
     return {std::exp(-absorption.r * distance), std::exp(-absorption.g * distance), std::exp(-absorption.b * distance)};
 }
 
+Rgb Material::body(const PointValues& at, float u) const
+{
+    return thin && u >= at.metalness ? at.base * (1 - at.transmission) : at.base;
+}
+
 Bsdf Material::bsdf(const PointValues& at, float u) const
 {
     if (glass && u >= at.metalness && u - at.metalness < (1 - at.metalness) * at.transmission) {
@@ -212,7 +217,7 @@ Bsdf Material::bsdf(const PointValues& at, float u) const
         return frost ? Bsdf(RoughGlass(*frost, at.outside)) : Bsdf(SmoothGlass(at.outside ? index : 1 / index));
     }
     PointValues rest = at;
-    if (thin && u >= at.metalness) rest.base = at.base * (1 - at.transmission);
+    rest.base = body(at, u);
     return brushed() ? opaque(*this, rest, u, brushed_skins, brushed_facets) : opaque(*this, rest, u, skins, facets);
 }
 

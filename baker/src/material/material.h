@@ -183,6 +183,8 @@ struct Material : MaterialNumbers {
     // A partly metallic surface is metal with probability metalness, and what is left of glass with probability
     // transmission: u.
     Bsdf bsdf(const PointValues& at, float u) const;
+    // The colour of what that has below its skin: of a pane, what is left by the light that passes.
+    Rgb body(const PointValues& at, float u) const;
 
     // Made by finish(), one for each step of roughness; just one where no texture changes it. Empty if not needed.
     // Materials share what is alike.

@@ -108,7 +108,7 @@ Scatterer scatterer_at(const HitPoint& point, Sampler& sampler)
     const bool undecided = (metalness > 0 || (point.material->glass && point.values.transmission < 1)) && metalness < 1;
     const float u = needed_1d(undecided, sampler);
     const bool has_body = !point.material->glass && !point.folds && u >= metalness;
-    return {point.material->bsdf(point.values, u), has_body ? point.values.base : Rgb()};
+    return {point.material->bsdf(point.values, u), has_body ? point.material->body(point.values, u) : Rgb()};
 }
 
 // Light that leaves a surface, and what would leave one that has its diffuse body alone, without a skin.
@@ -312,8 +312,7 @@ private:
         if (skin > 0) {
             Walk other = walk;
             other.throughput = other.throughput * skin;
-            if (scatter(other, point, at, wo, u_lobe * skin, sampler_.next_2d()) && survives(other, at))
-                follow(other);
+            if (scatter(other, point, at, wo, u_lobe * skin, sampler_.next_2d()) && survives(other, at)) follow(other);
             walk.throughput = walk.throughput * (1 - skin);
         }
         return scatter(walk, point, at, wo, skin + u_lobe * (1 - skin), u) && survives(walk, at);

@@ -216,6 +216,13 @@ TEST_CASE("path tracer: what a matt surface would send is all of its light, noth
     CHECK(mean_of(plastic, above, true) == Approx(mean_of(plastic, aside, true)).epsilon(0.02));
     CHECK(mean_of(plastic, above, true) == Approx(mean_of(plain, above, true)).epsilon(0.02));
     CHECK(mean_of(plastic, aside, false) > mean_of(plastic, above, false));
+    Material pane = plastic;
+    pane.thin = true;
+    pane.finish();
+    CHECK(mean_of(pane, above, true) == 0);  // all that does not mirror passes
+    pane.transmission = 0.5f;
+    pane.finish();
+    CHECK(mean_of(pane, above, true) > 0);
 }
 
 // The slope of log error against log samples, by least squares over five doublings of four. Sobol' points may only
