@@ -2,6 +2,7 @@
 // lumi_make_baker_corpus FOLDER: seeds of the targets that read what bakes read, in folders of the targets' names.
 #include <ImfRgbaFile.h>
 #include <png.h>
+#include <webp/encode.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -46,8 +47,20 @@ std::string exr(Imf::Compression compression)
     return testing::read_bytes(folder.at("e"));
 }
 
+std::string webp(bool lossless)
+{
+    const std::vector<uint8_t> rgba(size_t{4} * 12 * 8, 77);
+    uint8_t* bytes = nullptr;
+    const size_t size = lossless ? WebPEncodeLosslessRGBA(rgba.data(), 12, 8, 48, &bytes)
+                                 : WebPEncodeRGBA(rgba.data(), 12, 8, 48, 60, &bytes);
+    const std::string result(reinterpret_cast<const char*>(bytes), size);
+    WebPFree(bytes);
+    return result;
+}
+
 void write_pictures(Seeds seeds)
 {
+    for (const bool lossless : {false, true}) seeds.add(webp(lossless));
     for (const bool interlaced : {false, true}) {
         for (const auto& [colour, depth, bytes] :
              {std::make_tuple(PNG_COLOR_TYPE_RGB, 8, 24), std::make_tuple(PNG_COLOR_TYPE_RGB, 16, 48),

@@ -29,11 +29,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     const std::string bytes(reinterpret_cast<const char*>(data), size);
     try {
+        if (pixels_of(bytes) < 0) abort();
         if (lumi::host::is_png(bytes)) {
             check(lumi::host::decode_png(bytes, false), 0);
             check(lumi::host::decode_png(bytes, true), 1);
         } else if (is_jpeg(bytes)) {
             check(decode_jpeg(bytes), 0);
+        } else if (is_webp(bytes)) {
+            check(decode_webp(bytes, false), 0);
+            check(decode_webp(bytes, true), 1);
         } else if (is_exr(bytes)) {
             check(decode_exr(bytes));
         } else if (is_hdr(bytes)) {

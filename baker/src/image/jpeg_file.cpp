@@ -32,6 +32,16 @@ bool is_jpeg(const std::string& bytes)
     return bytes.rfind("\xFF\xD8\xFF", 0) == 0;
 }
 
+int64_t pixels_of_jpeg(const std::string& bytes)
+{
+    const Handle decoder = owned(tjInitDecompress());
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    int width = 0, height = 0, subsampling = 0, colours = 0;
+    const bool is_sound =
+        tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &colours) == 0;
+    return is_sound ? int64_t{width} * height : 0;
+}
+
 DecodedPicture decode_jpeg(const std::string& bytes)
 {
     const Handle decoder = owned(tjInitDecompress());

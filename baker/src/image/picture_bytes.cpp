@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "lumi/baker/file_guard.h"
+#include "lumi/baker/scene.h"
 #include "lumi/host/png.h"
+#include "util/text_lines.h"
 
 namespace lumi::baker
 {
@@ -54,6 +56,34 @@ std::string picture_bytes(const fs::path& file)
     if (!stream || !stream.read(bytes.data(), static_cast<std::streamsize>(size)))
         throw PictureError("it cannot be read");
     return bytes;
+}
+
+int64_t pixels_of(const std::string& bytes)
+{
+    constexpr size_t kWidthAt = 16, kHeightAt = 20;  // in a PNG's first chunk
+    const auto number = [&](size_t place) {
+        int64_t sum = 0;
+        for (size_t k = 0; k < 4; ++k) sum = sum << 8 | static_cast<uint8_t>(bytes[place + k]);
+        return sum;
+    };
+    int64_t pixels = 0;
+    if (host::is_png(bytes) && bytes.size() >= kHeightAt + 4 && number(kWidthAt) <= kMaxPictureSide)
+        pixels = number(kWidthAt) * number(kHeightAt);
+    if (is_jpeg(bytes)) pixels = pixels_of_jpeg(bytes);
+    if (is_webp(bytes)) pixels = pixels_of_webp(bytes);
+    return pixels > host::kMaxPicturePixels ? 0 : pixels;
+}
+
+void PictureRoom::take(int64_t pixels)
+{
+    if (pixels > left_) {
+        throw SceneError(
+            at({model_.string()}, "its pictures are too large in all: they may have " +
+                                      std::to_string(kPixelsOfAnyModel / 1'000'000) + " million pixels, and " +
+                                      std::to_string(kPixelsOfAByte) +
+                                      " for each byte of their files, where each use counts; make them smaller"));
+    }
+    left_ -= pixels;
 }
 
 DecodedPicture read_png(const fs::path& file)

@@ -109,9 +109,13 @@ bool is_grey(const Texture& texture)
     return true;
 }
 
-Texture read_texture(const std::filesystem::path& file, PictureUse use)
+Texture read_texture(const std::filesystem::path& file, PictureUse use, PictureRoom* room)
 {
     const std::string bytes = picture_bytes(file);
+    if (room) {
+        room->add(bytes.size());
+        room->take(pixels_of(bytes));
+    }
     if (is_webp(bytes)) refuse_picture(file, bytes);  // no other program reads it beside an OBJ
     return decode_texture(file, bytes, use);
 }

@@ -37,8 +37,10 @@ bool is_grey(const Texture& texture);
 // none), its alpha channel as opacity (full where it has none), or its blue bytes as plain numbers.
 enum class PictureUse : uint8_t { colour, data, alpha, opacity, blue };
 
-// Throws PictureError.
-Texture read_texture(const std::filesystem::path& file, PictureUse use);
+class PictureRoom;
+
+// Throws PictureError, and SceneError where `room` does not suffice.
+Texture read_texture(const std::filesystem::path& file, PictureUse use, PictureRoom* room = nullptr);
 // Does the same, also of WebP, with a file's bytes, which `name` names in messages only.
 Texture decode_texture(const std::filesystem::path& name, const std::string& bytes, PictureUse use);
 

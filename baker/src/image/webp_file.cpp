@@ -13,6 +13,13 @@ bool is_webp(const std::string& bytes)
     return bytes.size() >= 12 && bytes.compare(0, 4, "RIFF") == 0 && bytes.compare(8, 4, "WEBP") == 0;
 }
 
+int64_t pixels_of_webp(const std::string& bytes)
+{
+    int width = 0, height = 0;
+    const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
+    return WebPGetInfo(data, bytes.size(), &width, &height) ? int64_t{width} * height : 0;
+}
+
 DecodedPicture decode_webp(const std::string& bytes, bool with_alpha)
 {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "image/picture_bytes.h"
 #include "image/texture.h"
 #include "model/losses.h"
 
@@ -52,7 +53,9 @@ TextureSlot slot_of(const MtlMap& map, int32_t texture)
 class TextureStore
 {
 public:
-    explicit TextureStore(std::vector<Texture>& textures) : textures_(textures) {}
+    TextureStore(const std::filesystem::path& model, std::vector<Texture>& textures) : room_(model), textures_(textures)
+    {
+    }
 
     // None where `map` is null.
     TextureSlot slot(const std::filesystem::path& mtl, const MtlMap* named, PictureUse use)
@@ -82,7 +85,7 @@ public:
         const Key key = {find_beside(mtl, map.name).string(), PictureUse::opacity};
         const auto [entry, fresh] = loaded_.try_emplace(key, kNoTexture);
         if (fresh) {
-            Texture opacity = read_texture(key.first, key.second);
+            Texture opacity = read_texture(key.first, key.second, &room_);
             const auto [least, most] = std::minmax_element(opacity.rgb.begin(), opacity.rgb.end());
             if (*least < *most) {
                 textures_.push_back(std::move(opacity));
@@ -99,6 +102,7 @@ public:
         if (!found.used() || !is_grey(textures_[static_cast<size_t>(found.texture)])) return found;
         const auto [entry, fresh] = normals_.try_emplace({found.texture, map->strength}, kNoTexture);
         if (fresh) {
+            room_.take(static_cast<int64_t>(textures_[static_cast<size_t>(found.texture)].rgb.size() / 3));
             textures_.push_back(normals_from_heights(textures_[static_cast<size_t>(found.texture)], map->strength));
             entry->second = static_cast<int32_t>(textures_.size() - 1);
         }
@@ -117,7 +121,7 @@ private:
     int32_t load(const std::filesystem::path& mtl, uint32_t line, const std::filesystem::path& file, PictureUse use)
     {
         try {
-            textures_.push_back(read_texture(file, use));
+            textures_.push_back(read_texture(file, use, &room_));
         } catch (const PictureError& e) {
             losses_[mtl].add_at(line, "use(s) of the picture '" + file.string() + "' take the plain number (" +
                                           e.what() + "); convert it to PNG");
@@ -126,6 +130,7 @@ private:
         return static_cast<int32_t>(textures_.size() - 1);
     }
 
+    PictureRoom room_;
     std::vector<Texture>& textures_;
     std::map<std::filesystem::path, Losses> losses_;  // by MTL file
     std::map<Key, int32_t> loaded_;
@@ -277,7 +282,7 @@ MaterialSet resolve_materials(const std::string& obj_file, const std::vector<Obj
 {
     MaterialSet set;
     Losses losses;
-    TextureStore textures(set.textures);
+    TextureStore textures(obj_file, set.textures);
     std::unordered_map<std::string_view, const MtlMaterial*> by_name;
     for (const MtlMaterial& m : known) by_name.try_emplace(m.name, &m);  // the first one counts
     for (const ObjName& use : uses) {

@@ -5,8 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "image/picture_bytes.h"
 #include "image/radiance_picture.h"
 #include "image/texture.h"
+#include "lumi/baker/scene.h"
 #include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
@@ -202,6 +204,27 @@ TEST_CASE("picture file: an HDR picture with run lengths")
     CHECK_THROWS_WITH(decode_hdr("#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n+X 1 -Y 1\n...."), Catch::Contains("of the form"));
     CHECK_THROWS_WITH(decode_hdr("#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\1\1\1\5"),
                       Catch::Contains("first version"));
+}
+
+TEST_CASE("pictures of a model: together they have room for honest ones, and refuse what few bytes claim")
+{
+    constexpr int64_t kSide = 4096, kPixels = kSide * kSide;
+    PictureRoom room("model.obj");
+    for (int k = 0; k < 200; ++k) {  // photographs, packed as far as that looks good, each used for two things
+        room.add(kPixels / 16);
+        room.take(2 * kPixels);
+    }
+    PictureRoom flat("model.obj");
+    for (int k = 0; k < 9; ++k) flat.take(kPixels);  // of one colour, so in no bytes to speak of
+    CHECK_THROWS_WITH(flat.take(kPixels),
+                      Catch::StartsWith("model.obj: its pictures are too large in all") && Catch::Contains("; make"));
+    CHECK(pixels_of(png_claiming(3, 7)) == 21);
+    CHECK(pixels_of(png_claiming(0xFFFFFFFF, 0xFFFFFFFF)) == 0);
+    const ScratchFolder folder;
+    const auto file = folder.write("t", png_claiming(8192, 8192));
+    PictureRoom of_files("model.obj");
+    for (int k = 0; k < 2; ++k) CHECK_THROWS_AS(read_texture(file, PictureUse::colour, &of_files), PictureError);
+    CHECK_THROWS_AS(read_texture(file, PictureUse::colour, &of_files), SceneError);
 }
 
 }  // namespace lumi::baker

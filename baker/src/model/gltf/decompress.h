@@ -14,7 +14,7 @@ inline constexpr size_t kMostUnpacked = 64;
 int32_t add_accessor(GltfModel& model, std::string bytes, int32_t component, uint32_t width, size_t count);
 
 // Gives out packed bytes of a model, in all at most twice as many as its file holds: what is unpacked does not count,
-// so that a file cannot ask for the same bytes again and again.
+// so that a file cannot ask for the same bytes again and again. What all of them unpack to has a limit as well.
 class PackedBytes
 {
 public:
@@ -22,10 +22,13 @@ public:
 
     // Valid until a buffer is added. Throws SceneError where the range is not inside its buffer, or too much was taken.
     std::string_view take(int32_t buffer, size_t offset, size_t length);
+    // Counts bytes that are about to be unpacked. Throws SceneError for too many.
+    void claim(uint64_t unpacked);
 
 private:
     const GltfModel& model_;
     size_t left_;
+    uint64_t unpacked_left_;
 };
 
 // Throw SceneError where the packed bytes are damaged or claim too much.

@@ -32,7 +32,10 @@ public:
         rest_.remove_prefix(kHeadBytes + method);  // the kind of traversal
         const uint64_t first = number(), second = number();
         if (std::max(first, second) > kMostUnpacked * bytes.size()) fail(model_, "claims more than its bytes can hold");
+        elements_ = first + second;
     }
+
+    uint64_t elements() const { return elements_; }  // triangles, and vertices or points
 
 private:
     uint8_t byte(size_t k) const { return static_cast<uint8_t>(rest_[k]); }
@@ -52,6 +55,7 @@ private:
 
     const GltfModel& model_;
     std::string_view rest_;
+    uint64_t elements_ = 0;
 };
 
 template <class T>
@@ -81,12 +85,14 @@ float unit_of(const GltfModel& model, int32_t accessor, const draco::PointAttrib
     }
 }
 
-int32_t add_attribute(GltfModel& model, const draco::Mesh& mesh, const draco::PointAttribute& attribute, float unit)
+int32_t add_attribute(GltfModel& model, const draco::Mesh& mesh, const draco::PointAttribute& attribute, float unit,
+                      PackedBytes& packed)
 {
     constexpr int8_t kMostComponents = 4;
     const int8_t width = static_cast<int8_t>(attribute.num_components());
     if (width < 1 || width > kMostComponents) fail(model, "has an attribute of too many numbers");
     const size_t w = static_cast<size_t>(width);
+    packed.claim(uint64_t{sizeof(float)} * w * mesh.num_points());
     std::vector<float> numbers(w * mesh.num_points());
     for (uint32_t k = 0; k < mesh.num_points(); ++k) {
         const draco::AttributeValueIndex value = attribute.mapped_index(draco::PointIndex(k));
@@ -98,9 +104,8 @@ int32_t add_attribute(GltfModel& model, const draco::Mesh& mesh, const draco::Po
     return add_accessor(model, bytes_of_list(numbers), kFloat, static_cast<uint32_t>(w), mesh.num_points());
 }
 
-void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes)
+void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes, PackedBytes& packed)
 {
-    const Head checked(model, bytes);
     draco::DecoderBuffer buffer;
     buffer.Init(bytes.data(), bytes.size());
     draco::Decoder decoder;
@@ -117,7 +122,8 @@ void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes)
         if (!attribute) fail(model, "lacks an attribute that the file names");
         const auto known = primitive.attributes.find(name);
         const int32_t accessor = known == primitive.attributes.end() ? kNoIndex : known->second;
-        primitive.attributes[name] = add_attribute(model, *mesh, *attribute, unit_of(model, accessor, *attribute));
+        primitive.attributes[name] =
+            add_attribute(model, *mesh, *attribute, unit_of(model, accessor, *attribute), packed);
     }
     constexpr int32_t kUint32 = 5125, kTriangles = 4;
     const size_t count = corners.size();
@@ -129,16 +135,21 @@ void unpack(GltfModel& model, GltfPrimitive& primitive, std::string_view bytes)
 
 void unpack_draco(GltfModel& model, PackedBytes& packed)
 {
+    constexpr uint64_t kBytesOfElement = 12;                  // three numbers
+    std::vector<std::pair<GltfPrimitive*, std::string>> all;  // all claims are checked before anything is unpacked
     for (std::vector<GltfPrimitive>& mesh : model.meshes) {
         for (GltfPrimitive& primitive : mesh) {
             if (!primitive.packed) continue;
             const GltfView view = element_of(model, model.views, primitive.packed->view, "buffer view");
-            const std::string bytes(packed.take(view.buffer, view.offset, view.length));
-            try {
-                unpack(model, primitive, bytes);
-            } catch (const std::bad_alloc&) {
-                fail(model, "claims more memory than there is");
-            }
+            all.emplace_back(&primitive, packed.take(view.buffer, view.offset, view.length));
+            packed.claim(kBytesOfElement * Head(model, all.back().second).elements());
+        }
+    }
+    for (const auto& [primitive, bytes] : all) {
+        try {
+            unpack(model, *primitive, bytes, packed);
+        } catch (const std::bad_alloc&) {
+            fail(model, "claims more memory than there is");
         }
     }
 }

@@ -47,12 +47,20 @@ bool filter(const GltfMeshopt& packed, std::string& bytes)
 
 void unpack_meshopt(GltfModel& model, PackedBytes& bytes)
 {
+    std::vector<std::pair<GltfView*, std::string_view>> all;  // all claims are checked before anything is unpacked
     for (GltfView& view : model.views) {
         if (!view.packed) continue;
         const GltfMeshopt& packed = *view.packed;
         const std::string_view from = bytes.take(packed.buffer, packed.offset, packed.length);
         if (packed.stride == 0 || packed.count > kMostUnpacked * (from.size() + packed.stride) / packed.stride)
             fail(model, "claims more than its bytes can hold");
+        bytes.claim(uint64_t{packed.count} * packed.stride);
+        all.emplace_back(&view, from);
+    }
+    model.buffers.reserve(model.buffers.size() + all.size());  // so that the packed bytes stay where they are
+    for (const auto& [to_view, from] : all) {
+        GltfView& view = *to_view;
+        const GltfMeshopt& packed = *view.packed;
         std::string to(packed.count * packed.stride, '\0');
         if (!decode(packed, from, to) || !filter(packed, to)) fail(model, "is damaged");
         view.buffer = static_cast<int32_t>(model.buffers.size());

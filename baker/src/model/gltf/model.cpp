@@ -370,9 +370,32 @@ int32_t add_accessor(GltfModel& model, std::string bytes, int32_t component, uin
     return static_cast<int32_t>(model.accessors.size() - 1);
 }
 
-PackedBytes::PackedBytes(const GltfModel& model) : model_(model), left_(0)
+namespace
 {
-    for (const std::string& buffer : model.buffers) left_ += 2 * buffer.size();
+
+// Bytes that compressed meshes may unpack to in all: so many, and so many for each byte of the file. Meshes of
+// photographs take 3 to 15, and a fine grid of triangles takes 30.
+constexpr uint64_t kUnpackedOfAnyFile = 256'000'000, kUnpackedOfAByte = 32;
+
+}  // namespace
+
+PackedBytes::PackedBytes(const GltfModel& model) : model_(model), left_(0), unpacked_left_(kUnpackedOfAnyFile)
+{
+    for (const std::string& buffer : model.buffers) {
+        left_ += 2 * buffer.size();
+        unpacked_left_ += kUnpackedOfAByte * buffer.size();
+    }
+}
+
+void PackedBytes::claim(uint64_t unpacked)
+{
+    if (unpacked > unpacked_left_) {
+        fail_gltf(model_, "its compressed meshes claim to unpack to more than " +
+                              std::to_string(kUnpackedOfAnyFile / 1'000'000) + " MB and " +
+                              std::to_string(kUnpackedOfAByte) +
+                              " times their bytes; simplify them, or export them without compression");
+    }
+    unpacked_left_ -= unpacked;
 }
 
 std::string_view PackedBytes::take(int32_t index, size_t offset, size_t length)

@@ -40,11 +40,23 @@ Texture cut(Texture texture, float alpha, float cutoff)
 
 }  // namespace
 
+GltfTextures::GltfTextures(const GltfModel& model, std::vector<Texture>& textures, std::vector<std::string>& warnings)
+    : model_(model), room_(model.file), textures_(textures), warnings_(warnings)
+{
+    int64_t pixels = 0;
+    for (const GltfImage& image : model.images) {
+        room_.add(image.bytes.size());
+        pixels += pixels_of(image.bytes);
+    }
+    PictureRoom(room_).take(pixels);  // so that what is too much is refused before anything is decoded
+}
+
 int32_t GltfTextures::load(int32_t image, PictureUse part)
 {
     const GltfImage& picture = element_of(model_, model_.images, image, "picture");
     std::string fault = picture.bytes.empty() ? "it is missing" : "";
     if (fault.empty()) {
+        room_.take(pixels_of(picture.bytes));
         try {
             const std::string name = picture.name.empty() ? "picture" : picture.name;
             textures_.push_back(decode_texture(name, picture.bytes, part));

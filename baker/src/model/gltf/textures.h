@@ -4,6 +4,7 @@
 
 #include <tuple>
 
+#include "image/picture_bytes.h"
 #include "model/gltf/model.h"
 #include "model/losses.h"
 
@@ -13,11 +14,8 @@ namespace lumi::baker
 class GltfTextures
 {
 public:
-    // Appends to both lists, and keeps the references.
-    GltfTextures(const GltfModel& model, std::vector<Texture>& textures, std::vector<std::string>& warnings)
-        : model_(model), textures_(textures), warnings_(warnings)
-    {
-    }
+    // Appends to both lists, and keeps the references. Throws SceneError where the pictures are too large in all.
+    GltfTextures(const GltfModel& model, std::vector<Texture>& textures, std::vector<std::string>& warnings);
 
     // The picture's place among the textures, or kNoTexture where it is missing or no picture; a warning says so once.
     int32_t find(const GltfTextureUse& use, PictureUse part);
@@ -32,6 +30,7 @@ public:
     const Texture& picture(int32_t texture) const { return textures_[static_cast<size_t>(texture)]; }
     int32_t add(Texture texture)
     {
+        room_.take(static_cast<int64_t>(texture.rgb.size() / 3));
         textures_.push_back(std::move(texture));
         return static_cast<int32_t>(textures_.size() - 1);
     }
@@ -49,6 +48,7 @@ private:
     int32_t load(int32_t image, PictureUse part);
 
     const GltfModel& model_;
+    PictureRoom room_;
     std::vector<Texture>& textures_;
     std::vector<std::string>& warnings_;
     std::map<Key, int32_t> known_;

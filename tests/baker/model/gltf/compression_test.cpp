@@ -65,13 +65,40 @@ std::string webp_picture()
     return result;
 }
 
-std::string webp_glb(const std::string& picture)
+// The first of the pictures is used.
+std::string webp_glb(const std::string& picture, size_t pictures = 1)
 {
     GltfMaker maker = testing::square("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
     const std::string view = std::to_string(maker.view(picture));
-    maker.add("\"extensionsRequired\":[\"EXT_texture_webp\"],\"images\":[{\"bufferView\":" + view +
-              ",\"mimeType\":\"image/webp\"}],\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}]");
+    std::string images;
+    for (size_t k = 0; k < pictures; ++k)
+        images += (k == 0 ? "" : ",") + ("{\"bufferView\":" + view + ",\"mimeType\":\"image/webp\"}");
+    maker.add("\"extensionsRequired\":[\"EXT_texture_webp\"],\"images\":[" + images +
+              "],\"textures\":[{\"extensions\":{\"EXT_texture_webp\":{\"source\":0}}}]");
     return maker.glb();
+}
+
+// Heads of pictures of 8192 pixels a side, without the pixels.
+std::string webp_head()
+{
+    const uint32_t less_one = 8191, sides = less_one | less_one << 14;
+    std::string bits;
+    for (int k = 0; k < 4; ++k) bits += static_cast<char>(sides >> 8 * k);
+    return std::string("RIFF\x1E\0\0\0WEBPVP8L\x12\0\0\0\x2F", 21) + bits + std::string(20, '\0');
+}
+
+std::string png_head()
+{
+    const std::string side("\0\0\x20\0", 4);
+    return std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16) + side + side + std::string(20, '\0');
+}
+
+std::string jpeg_head()
+{
+    const uint8_t grey[3] = {9, 9, 9};
+    std::string bytes = jpeg_bytes({1, 1, grey}, 50);
+    bytes.replace(bytes.find("\xFF\xC0") + 5, 4, "\x20\0\x20\0", 4);  // height and width
+    return bytes;
 }
 
 }  // namespace
@@ -113,6 +140,40 @@ TEST_CASE("glTF: compressed meshes that claim more than their bytes can hold are
     const std::string many("\x80\x80\x80\x80\x01", 5), head("DRACO\x02\x02\x01\x00\x00\x00", 11);
     check_refused(testing::draco_gltf(head + many + many).glb(), "more than its bytes can hold");
     check_refused(testing::draco_gltf("DRACO").glb(), "Draco");
+}
+
+TEST_CASE("glTF: what compressed meshes of a file claim in all is refused before anything is unpacked")
+{
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const std::string packed(5'000'000, '\x01');  // 64 times as much passes once, and not twice
+    GltfMaker maker;
+    maker.view(packed);
+    const std::string view =
+        "{\"buffer\":0,\"byteLength\":4,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,"
+        "\"byteLength\":5000000,\"byteStride\":256,\"count\":1250000,\"mode\":\"ATTRIBUTES\"}}}";
+    const std::string text =
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_meshopt_compression\"],"
+        "\"buffers\":[{\"byteLength\":5000000}],\"bufferViews\":[" +
+        view + "," + view + "]}";
+    const auto meshopt = folder.write("meshopt.glb", GltfMaker::glb_of(text, maker.bin()));
+    CHECK_THROWS_WITH(read_gltf(meshopt, warnings), Catch::Contains("claim to unpack to more than 256 MB"));
+    const std::string many("\x80\x80\x80\x80\x01", 5), head("DRACO\x02\x02\x01\x00\x00\x00", 11);
+    const auto draco = folder.write("draco.glb", testing::draco_gltf(head + many + many + packed).glb());
+    CHECK_THROWS_WITH(read_gltf(draco, warnings), Catch::Contains("claim to unpack to more than 256 MB"));
+}
+
+TEST_CASE("glTF: pictures that are too large in all are refused before any is decoded")
+{
+    const ScratchFolder folder;
+    for (const std::string& picture : {webp_head(), png_head(), jpeg_head()}) {
+        std::vector<std::string> warnings;
+        const auto three = folder.write("three.glb", webp_glb(picture, 3));
+        CHECK_THROWS_WITH(read_gltf(three, warnings), Catch::Contains("pictures are too large in all"));
+        CHECK(warnings.empty());
+        CHECK_NOTHROW(read_gltf(folder.write("two.glb", webp_glb(picture, 2)), warnings));
+        CHECK(warnings.size() == 1);  // it is damaged
+    }
 }
 
 TEST_CASE("glTF: compressed bytes may be shared by two meshes, and not unpacked again and again")
