@@ -44,6 +44,7 @@ struct PatchMesh {
     std::vector<MovingPart> parts;
     float longest_edge = 0;            // the longest edge of any triangle
     uint32_t see_through_patches = 0;  // the last so many
+    uint32_t ground_patches = 0;       // the first so many of those: a shadow below the object
     uint32_t has_panes = 0;            // 1: of those some mirror, so they have view tables
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 

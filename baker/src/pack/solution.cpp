@@ -106,10 +106,10 @@ uint8_t level_byte(float v)
     return static_cast<uint8_t>(std::lround(shown_level(v)));
 }
 
-// Sets the palette, and those of `texels` that are see-through. `levels`: what the surface itself shows, by texel.
+// Sets the palette but for its last entries, and those of the texels that are see-through. `levels`: what the surface
+// itself shows, by texel.
 void put_see_through(const FitShape& shape, const EncodedTone& tone, const std::vector<LevelColour>& levels,
-                     std::array<SeeThroughColour, detail::format::kPaletteEntries>& palette,
-                     std::vector<uint8_t>& texels)
+                     size_t kept, FieldParts& parts)
 {
     std::vector<uint32_t> places;
     std::vector<ColourPoint> points;
@@ -122,14 +122,14 @@ void put_see_through(const FitShape& shape, const EncodedTone& tone, const std::
     }
     std::vector<ColourPoint> some;
     for (size_t k = 0; k < points.size(); k += points.size() / kMaxSeeThroughSamples + 1) some.push_back(points[k]);
-    const std::vector<ColourPoint> centres = k_means(some, {}, palette.size(), kSeeThroughPaletteSeed);
+    const std::vector<ColourPoint> centres = k_means(some, {}, parts.see_through.size() - kept, kSeeThroughPaletteSeed);
     for (size_t k = 0; k < centres.size(); ++k) {
         const ColourPoint& c = centres[k];
-        palette[k] = {{level_byte(c[0]), level_byte(c[1]), level_byte(c[2])},
-                      {level_byte(c[3]), level_byte(c[4]), level_byte(c[5])}};
+        parts.see_through[k] = {{level_byte(c[0]), level_byte(c[1]), level_byte(c[2])},
+                                {level_byte(c[3]), level_byte(c[4]), level_byte(c[5])}};
     }
     for (size_t k = 0; k < points.size(); ++k)
-        texels[places[k]] = static_cast<uint8_t>(nearest_centre(centres, points[k]).index);
+        parts.texels[places[k]] = static_cast<uint8_t>(nearest_centre(centres, points[k]).index);
 }
 
 // View tables change what is added, which the coverage has multiplied.
@@ -260,7 +260,7 @@ uint64_t solution_work(const FitShape& shape)
     return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
 }
 
-FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job)
+FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job, size_t kept)
 {
     const JobStage stage(job, Stage::solving, job.part_of_rest(1), 2 * kMostIterations);
     for_patches(state.shape, job, [&](uint32_t p) { state.sums.patches()[p].pairs.sort(); });
@@ -285,8 +285,7 @@ FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages
     cover_views(state.shape, views.views);
     FieldParts parts = {sphere.centre, sphere.radius,         texels.palette, std::move(texels.texels),
                         views.colours, std::move(views.views)};
-    if (state.shape.mesh.see_through_patches != 0)
-        put_see_through(state.shape, state.tone, model.texels, parts.see_through, parts.texels);
+    if (state.shape.mesh.see_through_patches != 0) put_see_through(state.shape, state.tone, model.texels, kept, parts);
     return parts;
 }
 

@@ -19,7 +19,7 @@ struct FieldSphere {
 uint64_t solution_work(const FitShape& shape);
 
 // The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
-// less what `stages` have of it.
-FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job);
+// less what `stages` have of it. `kept`: the last entries of the see-through palette that stay as they are.
+FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job, size_t kept = 0);
 
 }  // namespace lumi::baker

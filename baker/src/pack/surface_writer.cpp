@@ -85,6 +85,12 @@ std::vector<uint32_t> owner_ends(const PatchMesh& mesh)
     return ends;
 }
 
+// Of a see-through patch.
+bool is_shadow(const PatchMesh& mesh, uint32_t patch)
+{
+    return patch < mesh.opaque_patches() + mesh.ground_patches || mesh.owner_of(patch) != 0;
+}
+
 // In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches. A
 // shadow fades to nothing: its border counts as its own neighbour, so that no outline is drawn there.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
@@ -94,7 +100,7 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
     std::vector<std::array<uint16_t, 4>> result;
     for (size_t k = 1; k < ends.size(); ++k) add_neighbours(mesh, ends[k - 1], ends[k], result);
     for (uint32_t p = mesh.opaque_patches(); p < result.size(); ++p)
-        for (uint32_t side = 0; mesh.owner_of(p) != 0 && side < 4; ++side)
+        for (uint32_t side = 0; is_shadow(mesh, p) && side < 4; ++side)
             if (result[p][side] == kNothingAcross) result[p][side] = static_cast<uint16_t>(2 * p + side / 2);
     return result;
 }

@@ -161,11 +161,12 @@ void set_moving_parts(const std::filesystem::path& file, const std::vector<PartO
     }
 }
 
-std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh)
+std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh, const std::vector<Material>& more)
 {
     SceneParts parts;
     parts.mesh = std::move(mesh);
     parts.materials = scene.materials;
+    parts.materials.insert(parts.materials.end(), more.begin(), more.end());
     parts.textures = scene.textures;
     parts.fixtures = scene.fixtures;
     parts.catcher = scene.catcher;

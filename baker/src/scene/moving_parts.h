@@ -15,8 +15,9 @@ namespace lumi::baker
 // both name one. `file` serves messages. Throws SceneError for what cannot move.
 void set_moving_parts(const std::filesystem::path& file, const std::vector<PartOptions>& options, SceneParts& parts);
 
-// A scene with other triangles, in the same light and the same sphere; none of them moves.
-std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh);
+// A scene with other triangles, in the same light and the same sphere; none of them moves. `more`: materials behind
+// those of the scene.
+std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh, const std::vector<Material>& more = {});
 // Only the triangles of one owner: 0 of the body, k of the k-th part.
 std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner);
 // The body, and one part in a pose.

@@ -35,7 +35,8 @@ void each(See& see, BakeSettings& s)
 template <class See>
 void each(See& see, SurfaceSettings& s)
 {
-    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, seed, threads] = s;
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, ground, seed,
+           threads] = s;
     static_cast<void>(threads);
     see("triangles", triangles);
     see("longest edge", longest_edge);
@@ -44,6 +45,7 @@ void each(See& see, SurfaceSettings& s)
     see("cap", cap);
     see("view tables", view_tables);
     see("fill", fills);
+    see("ground", ground);
     see("seed", seed);
 }
 

@@ -69,7 +69,8 @@ FitBasis basis_of(const SceneData& scene, const BuiltMesh& built, const SurfaceS
                       scene.tone,
                       {scene.centre, scene.radius},
                       {},
-                      part_shadows(scene, built.mesh, settings, progress)};
+                      part_shadows(scene, built.mesh, settings, progress),
+                      ground_shadow(scene, built.mesh, settings, progress)};
     basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, progress);
     return basis;
 }
@@ -111,6 +112,7 @@ public:
           loss_(basis.loss),
           sphere_(basis.sphere),
           shadows_(std::move(basis.shadows)),
+          ground_(std::move(basis.ground)),
           shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through)),
           tone_(basis.tone),
           state_(shape_, tone_),
@@ -134,11 +136,12 @@ public:
 
     SurfaceBake field()
     {
-        FieldParts parts = solved(state_, sphere_, stages_, job_);
+        FieldParts parts = solved(state_, sphere_, stages_, job_, ground_levels(ground_, shape_.mesh));
         job_.finish();
         SurfaceBake bake;
         FitShape shape = shape_;
         bake.notes = shadows_.notes;
+        for (std::string& note : add_ground(ground_, shape, parts)) bake.notes.push_back(std::move(note));
         for (std::string& note : add_shadows(shadows_.shadows, shape, parts)) bake.notes.push_back(std::move(note));
         bake.file = surface_file(shape, parts);
         bake.vertices = static_cast<uint32_t>(shape_.mesh.positions.size());
@@ -168,6 +171,7 @@ private:
     const MeshLoss loss_;
     const FieldSphere sphere_;
     const PartShadows shadows_;
+    const GroundShadow ground_;
     const FitShape shape_;
     const EncodedTone tone_;
     FitState state_;
@@ -179,6 +183,8 @@ void require_possible(const Scene& scene, const SurfaceSettings& settings)
 {
     require_partial_coverage(scene.data(), false);
     require_possible_surface(settings);
+    if (settings.ground && scene.data().medium)
+        throw BakeError("a scene with a volume throws no shadow on a ground; bake it without --ground");
 }
 
 BakeIdentity identity(const Scene& scene, const SurfaceSettings& settings, const Shard& shard)

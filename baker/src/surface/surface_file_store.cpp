@@ -81,7 +81,7 @@ void fields(Io& io, FitBasis& basis)
 {
     uint32_t tag = kBasisTag;
     io(tag, basis.mesh, basis.densities, basis.loss, basis.tone, basis.sphere.centre, basis.sphere.radius,
-       basis.see_through, basis.shadows);
+       basis.see_through, basis.shadows, basis.ground);
     for (const PartShadow& shadow : basis.shadows.shadows) io.require(shadow.part < basis.mesh.parts.size());
     io.require(tag == kBasisTag && basis.densities.size() == basis.mesh.patches.size() && is_sound(basis));
 }

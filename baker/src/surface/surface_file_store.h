@@ -9,6 +9,7 @@
 
 #include <optional>
 
+#include "fit/ground_shadow.h"
 #include "fit/part_shadows.h"
 #include "pack/solution.h"
 #include "store/block_file.h"
@@ -26,6 +27,7 @@ struct FitBasis {
     FieldSphere sphere;
     std::vector<SeeThroughTexel> see_through;  // FitShape
     PartShadows shadows;
+    GroundShadow ground;
 };
 
 // As bytes for checkpoints and shards.

@@ -50,12 +50,12 @@ float density_of(int steps)
 }
 
 // Bytes of the file if every vertex gets a view table. Throws BakeError for more texels than the format holds.
-uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius)
+uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, bool has_ground)
 {
     constexpr size_t kSections = 7;  // of opaque fields
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
     const uint64_t texels = layout_of(mesh, texels_per_radius).texels;
-    const bool has_see_through = mesh.see_through_patches != 0;
+    const bool has_see_through = mesh.see_through_patches != 0 || has_ground;
     const size_t sections = kSections + (has_see_through ? 1 : 0);
     uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
     for (const uint64_t section :
@@ -64,25 +64,26 @@ uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius)
           patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
         bytes += aligned(section);
     bytes += aligned(most_shadow_bytes(mesh.parts.size()));
+    if (has_ground) bytes += aligned(most_ground_room(mesh.longest_edge, texels_per_radius).bytes);
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }
 
-bool fits(const PatchMesh& mesh, int steps, uint64_t budget)
+bool fits(const PatchMesh& mesh, int steps, bool has_ground, uint64_t budget)
 {
     try {
-        return most_bytes(mesh, density_of(steps)) <= budget;
+        return most_bytes(mesh, density_of(steps), has_ground) <= budget;
     } catch (const BakeError&) {
         return false;  // more texels than the format holds
     }
 }
 
 // Precondition: the coarsest fits.
-int finest_that_fits(const PatchMesh& mesh, uint64_t budget)
+int finest_that_fits(const PatchMesh& mesh, bool has_ground, uint64_t budget)
 {
     int low = kCoarsest, high = kFinest + 1;
     while (high - low > 1) {
         const int middle = (low + high) / 2;
-        (fits(mesh, middle, budget) ? low : high) = middle;
+        (fits(mesh, middle, has_ground, budget) ? low : high) = middle;
     }
     return low;
 }
@@ -101,11 +102,13 @@ float edge_for(double bytes)
 }
 
 // RAM of a view as `lumi embed` writes it unless a program says otherwise, and of its stripe.
-uint64_t ram_of(const PatchMesh& mesh, const host::ScreenSize& screen)
+uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, const host::ScreenSize& screen)
 {
-    const host::SurfaceCounts counts = {static_cast<uint32_t>(mesh.positions.size()), mesh.opaque_patches(),
-                                        SurfaceMode::antialiased, mesh.see_through_patches,
-                                        static_cast<uint32_t>(mesh.parts.size())};
+    GroundRoom ground = {};
+    if (settings.ground) ground = most_ground_room(mesh.longest_edge, settings.texels_per_radius);
+    const host::SurfaceCounts counts = {
+        static_cast<uint32_t>(mesh.positions.size()) + ground.vertices, mesh.opaque_patches(), SurfaceMode::antialiased,
+        mesh.see_through_patches + ground.patches, static_cast<uint32_t>(mesh.parts.size())};
     return uint64_t{host::surface_view_bytes<PixelRgb565>(counts, screen)} +
            host::stripe_pixel_bytes<PixelRgb565>(screen);
 }
@@ -137,8 +140,9 @@ public:
             if (plan.triangles == 0) throw BakeError("no light path meets a surface");
         } while (shrinks_to_bytes(plan) || shrinks_to_ram(plan));
         if (limits_.chooses_density)
-            plan.settings.texels_per_radius = density_of(finest_that_fits(plan.mesh->mesh, limits_.bytes));
-        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius);
+            plan.settings.texels_per_radius =
+                density_of(finest_that_fits(plan.mesh->mesh, plan.settings.ground, limits_.bytes));
+        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings.ground);
     }
 
 private:
@@ -166,7 +170,7 @@ private:
     bool shrinks_to_bytes(SurfacePlan& plan) const
     {
         const float density = limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
-        const uint64_t least = most_bytes(plan.mesh->mesh, density);
+        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings.ground);
         const auto budget = static_cast<double>(limits_.bytes);
         const double most = limits_.chooses_density && limits_.chooses_triangles ? kMostForMesh * budget : budget;
         if (static_cast<double>(least) <= most) return false;
@@ -185,10 +189,10 @@ private:
         constexpr double kLeastStep = 0.95;  // so that there are few meshes
         if (!limits_.ram) return false;
         const host::ScreenSize& screen = limits_.ram->screen;
-        plan.ram_bytes = ram_of(plan.mesh->mesh, screen);
+        plan.ram_bytes = ram_of(plan.mesh->mesh, plan.settings, screen);
         if (plan.ram_bytes <= limits_.ram->bytes) return false;
         if (plan.triangles_without_ram == 0) plan.triangles_without_ram = plan.triangles;
-        const uint64_t least = ram_of({}, screen);  // does not depend on the mesh
+        const uint64_t least = ram_of({}, {}, screen);  // does not depend on the mesh
         const double room = static_cast<double>(limits_.ram->bytes) - static_cast<double>(least),
                      needed = static_cast<double>(plan.ram_bytes) - static_cast<double>(least);
         const double share = std::min(kLeastStep, room / needed);

@@ -21,7 +21,8 @@ namespace
 
 constexpr std::array kChordOnly = {"--origins", "--directions", "--texel",   "--footprint",
                                    "--beam",    "--spp",        "--adaptive"};
-constexpr std::array kSurfaceShape = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables"};
+constexpr std::array kSurfaceShape = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables",
+                                      "--ground"};
 // Only surface fields take it, but it says nothing of the layout: a scene may still suit only the other one.
 constexpr std::array kSurfaceTime = {"--paths", "--fill"};
 
@@ -171,6 +172,9 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
     command.add_flag_callback(
         "--no-view-tables", [&s] { s.view_tables = false; },
         "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
+    command.add_flag("--ground", s.ground,
+                     "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware needs "
+                     "a view with see-through patches, as `lumi embed` writes it");
     command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")

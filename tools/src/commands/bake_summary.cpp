@@ -160,6 +160,7 @@ std::string options_of(const baker::SurfacePlan& plan)
                   static_cast<double>(s.longest_edge), static_cast<double>(s.texels_per_radius));
     if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
     if (s.fills) options += " --fill";
+    if (s.ground) options += " --ground";
     return s.view_tables ? options : options + " --no-view-tables";
 }
 

@@ -31,6 +31,7 @@ struct SurfaceSettings {
     float cap = 1;
     bool view_tables = true;  // false: colours do not depend on the direction of view
     bool fills = false;       // texels_per_radius also where fewer texels would show as much
+    bool ground = false;      // a soft shadow below the object, on a level ground that is not drawn
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
 };
@@ -102,7 +103,7 @@ struct SurfaceBake {
     uint32_t vertices = 0, viewed_vertices = 0, triangles = 0, texels = 0;
     MeshLoss loss;
     uint64_t paths = 0;              // that meet the mesh where the scene is
-    std::vector<std::string> notes;  // what parts lack, a sentence each
+    std::vector<std::string> notes;  // what parts and ground lack, a sentence each
     bool suffices = false;           // settings allow more texels, which would show no more
 };
 
