@@ -212,7 +212,18 @@ def tagging(build):
     (folder / "core/new.cpp").write_text("int changed;\n")
     if b"not committed" not in subprocess.run(release, capture_output=True).stderr:
         sys.exit("error: release: what was not committed was tagged")
-    print("release: tags what is committed, once")
+    for name in ("core/new.cpp", "LICENSE", "platform/arduino"):
+        kept = folder / (name + ".kept")
+        (folder / name).rename(kept)
+        (folder / name).symlink_to(kept)
+        build.run("release", [*git, "add", "--all"])
+        outcome = subprocess.run([word for word in release if word != "--tag"], capture_output=True)
+        if outcome.returncode == 0 or b"a link is not packed" not in outcome.stderr:
+            sys.exit(f"error: release: {name}, a link, was packed")
+        (folder / name).unlink()
+        kept.rename(folder / name)
+        build.run("release", [*git, "add", "--all"])
+    print("release: tags what is committed, once, and packs no link")
 
 
 def old_standard(build, core):

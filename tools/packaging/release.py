@@ -63,11 +63,18 @@ def set_version(new):
         path.write_text(text[: match.start(1)] + new + text[match.end(1):])
 
 
+def content(path):
+    """The bytes of a file, but not through a link: it could lead out of the project."""
+    if path.resolve() != path:
+        sys.exit(f"error: {path.relative_to(ROOT)}: leads to {path.resolve()}, and a link is not packed; put the file in its place")
+    return path.read_bytes()
+
+
 def tracked(folder):
     """{name in the folder: bytes} of what git tracks: nothing that an editor or a build left there."""
     names = git("ls-files", "-z", "--", folder).split("\0")
     files = (ROOT / name for name in names if name)
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files if path.is_file()}
+    return {path.relative_to(folder).as_posix(): content(path) for path in files if path.is_symlink() or path.is_file()}
 
 
 def lvgl_files():
@@ -83,7 +90,7 @@ def lvgl_files():
 def core_files():
     files = tracked(CORE)
     for name in ("LICENSE", "CHANGELOG.md"):
-        files[name] = (ROOT / name).read_bytes()
+        files[name] = content(ROOT / name)
     files.update({f"lvgl/{name}": text for name, text in lvgl_files().items()})
     return files
 
