@@ -85,9 +85,10 @@ inline std::string palette_bytes()
 struct TestSection {
     uint32_t type;
     std::string bytes;
+    bool is_required = true;
 };
 
-// A file of these sections, all of them required.
+// A file of these sections.
 inline std::string file_bytes(const std::vector<TestSection>& sections)
 {
     const auto aligned = [](size_t size) {
@@ -99,7 +100,7 @@ inline std::string file_bytes(const std::vector<TestSection>& sections)
     for (const TestSection& section : sections) {
         body.pad_to(detail::format::kSectionAlignment);
         table.u32(section.type);
-        table.u32(detail::format::kRequired);
+        table.u32(section.is_required ? detail::format::kRequired : 0);
         table.u32(static_cast<uint32_t>(body_at + body.bytes().size()));
         table.u32(static_cast<uint32_t>(section.bytes.size()));
         table.u32(crc_of(section.bytes));

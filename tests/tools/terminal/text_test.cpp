@@ -2,6 +2,8 @@
 #include "terminal/text.h"
 
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <cstdlib>
 
 namespace lumi::tools
 {
@@ -90,9 +92,25 @@ TEST_CASE("a part of a count is two whole numbers, the first from 1 to the secon
 
 TEST_CASE("no control character of a name reaches a terminal, and all else does")
 {
-    CHECK(visible("a\x1b]0;b\x07\x7f\x9b\r\n") == "a?]0;b??\x9b?\n");
+    CHECK(visible("a\x1b]0;b\x07\x7f\x9b\r\n") == "a?]0;b????\n");
     CHECK(visible("\xc2\x9bm \xc3\x9f \xc2\xb5") == "?m \xc3\x9f \xc2\xb5");
     CHECK(visible("\xc2") == "\xc2");
+    CHECK(visible("\xe2\x82\x9b \xf0\x9f\x98\x80 \xe9\x9b") == "\xe2\x82\x9b \xf0\x9f\x98\x80 \xe9\x9b");
+    CHECK(visible("\x80\xe2\x82\x9b\x9f \xff\x9b") == "?\xe2\x82\x9b? \xff?");
+}
+
+TEST_CASE("what is printed is visible, however long it is")
+{
+    for (const size_t size : {1022u, 1023u, 1024u, 5000u}) {
+        const std::string name = std::string(size, 'n') + "\x1b\n";
+        char* bytes = nullptr;
+        size_t count = 0;
+        std::FILE* const stream = open_memstream(&bytes, &count);
+        print(stream, "%s%d", name.c_str(), 7);
+        std::fclose(stream);
+        CHECK((std::string(bytes, count) == std::string(size, 'n') + "?\n7"));
+        std::free(bytes);
+    }
 }
 
 }  // namespace lumi::tools

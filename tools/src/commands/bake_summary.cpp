@@ -20,7 +20,7 @@ namespace
 
 void print_json(const nlohmann::json& line)
 {
-    std::printf("%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    print(stdout, "%s\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }
 
@@ -133,7 +133,7 @@ void tell_people(const BakeSummary& summary)
         text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
     text += device_lines(summary);
     if (is_checked(summary)) text += next_line(summary.name);
-    std::fputs(text.c_str(), stdout);
+    print(stdout, "%s", text.c_str());
 }
 
 void tell_machines(const BakeSummary& summary)
@@ -234,18 +234,18 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
     } else if (takes_surface) {
         const std::string ram = ram_text(plan);
         if (options.fit.plan_only)
-            std::printf("layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
-                        ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
+            print(stdout, "layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
+                  ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
         else if (plan.triangles_without_ram != 0)
-            std::fprintf(stderr, "lumi: it takes %s\n", ram.c_str());
+            print(stderr, "lumi: it takes %s\n", ram.c_str());
     } else {
-        std::fprintf(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
-                     options.fit.plan_only ? "" : "lumi: ", plan.against.c_str());
+        print(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
+              options.fit.plan_only ? "" : "lumi: ", plan.against.c_str());
     }
     std::fflush(stdout);
     const std::vector<std::string> warnings =
         takes_surface ? warnings_of(plan, options.limits) : std::vector<std::string>{};
-    for (const std::string& warning : warnings) std::fprintf(stderr, "lumi: warning: %s\n", visible(warning).c_str());
+    for (const std::string& warning : warnings) print(stderr, "lumi: warning: %s\n", warning.c_str());
     return warnings.size();
 }
 
@@ -255,7 +255,7 @@ void tell_plan(const baker::BakeSettings& chord, const BakeOptions& options)
     if (options.progress == ProgressStyle::json)
         print_json({{"layout", "chord"}, {"options", by_hand}, {"state", "planned"}});
     else if (options.fit.plan_only)
-        std::printf("layout chord: %s\n  by hand: %s\n", planner::text_of(chord).c_str(), by_hand.c_str());
+        print(stdout, "layout chord: %s\n  by hand: %s\n", planner::text_of(chord).c_str(), by_hand.c_str());
     std::fflush(stdout);
 }
 
@@ -281,10 +281,10 @@ nlohmann::json plan_json(const baker::BakeSettings& chord, uint64_t budget_bytes
 void tell(const BakeSummary& summary)
 {
     const auto warn = [&](const char* problem) {
-        std::fprintf(stderr,
-                     "lumi: warning: %s is written and whole, but what it shows cannot be said (%s); `lumi inspect` "
-                     "and `lumi report` say it\n",
-                     summary.name.c_str(), problem);
+        print(stderr,
+              "lumi: warning: %s is written and whole, but what it shows cannot be said (%s); `lumi inspect` "
+              "and `lumi report` say it\n",
+              summary.name.c_str(), problem);
     };
     try {
         summary.options.progress == ProgressStyle::json ? tell_machines(summary) : tell_people(summary);

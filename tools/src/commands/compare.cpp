@@ -17,6 +17,7 @@
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -68,10 +69,10 @@ bool has_black_corners(const Picture& picture)
 void warn_of_backgrounds(const CompareOptions& options, const Picture& a, const Picture& b)
 {
     if (has_black_corners(a) == has_black_corners(b)) return;
-    std::fprintf(stderr,
-                 "lumi: warning: only %s has black corners; if the backgrounds differ, draw both with --background "
-                 "black\n",
-                 (has_black_corners(a) ? options.a : options.b).c_str());
+    print(stderr,
+          "lumi: warning: only %s has black corners; if the backgrounds differ, draw both with --background "
+          "black\n",
+          (has_black_corners(a) ? options.a : options.b).c_str());
 }
 
 // Null where the pictures are identical: JSON has no infinity.
@@ -92,14 +93,14 @@ void print_likeness(const Likeness& likeness, const std::optional<MaskedLikeness
         report["mask_ssim"] = masked->ssim;
     }
     report["identical"] = std::isinf(likeness.psnr_db);
-    std::printf("%s\n", report.dump(2).c_str());
+    print(stdout, "%s\n", report.dump(2).c_str());
 }
 
 void print_text(const Likeness& likeness, const std::optional<MaskedLikeness>& masked)
 {
-    std::printf("PSNR     %.2f dB\nSSIM     %.4f\nCW-SSIM  %.4f\nFLIP     %.4f\n", likeness.psnr_db, likeness.ssim,
-                likeness.cw_ssim, likeness.flip);
-    if (masked) std::printf("inside the mask\nPSNR     %.2f dB\nSSIM     %.4f\n", masked->psnr_db, masked->ssim);
+    print(stdout, "PSNR     %.2f dB\nSSIM     %.4f\nCW-SSIM  %.4f\nFLIP     %.4f\n", likeness.psnr_db, likeness.ssim,
+          likeness.cw_ssim, likeness.flip);
+    if (masked) print(stdout, "inside the mask\nPSNR     %.2f dB\nSSIM     %.4f\n", masked->psnr_db, masked->ssim);
 }
 
 // White or grey where pixels count, black where they do not.

@@ -8,6 +8,7 @@
 #include "../planner/chord_plan.h"
 #include "commands/bake_summary.h"
 #include "lumi/baker/surface.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -67,7 +68,7 @@ private:
             plan = baker::plan_surface(scene_, settings, limits, progress, file);
         });
         if (!plan.mesh) {
-            std::fprintf(stderr, "no surface field of %s: %s\n", rung.size, plan.against.c_str());
+            print(stderr, "no surface field of %s: %s\n", rung.size, plan.against.c_str());
             return false;
         }
         in_step(file, step + "baking: ", [&](const baker::ProgressCallback& progress) {

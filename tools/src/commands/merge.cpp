@@ -31,8 +31,7 @@ baker::MergedField merge(const MergeOptions& options, const std::string& target)
         throw Interrupted();
     } catch (const baker::MergeError& error) {
         // All but the last here, the last as the command's own message.
-        for (size_t k = 0; k + 1 < error.problems.size(); ++k)
-            std::fprintf(stderr, "lumi: %s\n", error.problems[k].c_str());
+        for (size_t k = 0; k + 1 < error.problems.size(); ++k) print(stderr, "lumi: %s\n", error.problems[k].c_str());
         throw baker::BakeError(error.problems.back());
     }
 }
@@ -45,8 +44,8 @@ void run(const MergeOptions& options)
     const bool surface = field.origins == 0;
     const std::string rays =
         surface ? "" : std::to_string(field.origins) + " x " + std::to_string(field.directions) + " rays ";
-    std::printf("%s: %s, %sfrom %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(), rays.c_str(),
-                field.shards);
+    print(stdout, "%s: %s, %sfrom %u shards\n", options.output.c_str(), byte_text(field.bytes).c_str(), rays.c_str(),
+          field.shards);
 }
 
 }  // namespace

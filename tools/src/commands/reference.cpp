@@ -149,8 +149,8 @@ void look_through(const ReferenceOptions& options, const baker::Scene& scene, Vi
     if (views.fov_deg == 0) views.fov_deg = fov_over_longer_side(view.fov_y_degrees, views);
     if (options.save_pose.empty()) return;
     write_output(options.save_pose, text_of(view.pose));
-    std::fprintf(stderr, "lumi: the same view of a field: lumi render FIELD --pose %s --fov %.4g\n",
-                 shell_word(options.save_pose).c_str(), views.fov_deg);
+    print(stderr, "lumi: the same view of a field: lumi render FIELD --pose %s --fov %.4g\n",
+          shell_word(options.save_pose).c_str(), views.fov_deg);
 }
 
 void run(ReferenceOptions options, const CLI::App& command)
@@ -159,7 +159,7 @@ void run(ReferenceOptions options, const CLI::App& command)
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
     if (!options.view.empty()) look_through(options, scene, options.views);
-    for (const std::string& path : write_references(options, scene)) std::printf("%s\n", path.c_str());
+    for (const std::string& path : write_references(options, scene)) print(stdout, "%s\n", path.c_str());
 }
 
 }  // namespace

@@ -145,8 +145,8 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     const LeaveAtOnce loading;
     if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
     baker::Scene scene = baker::load_scene(options.path, load, lines);
-    for (const std::string& line : lines) std::fprintf(stderr, "lumi: warning: %s\n", visible(line).c_str());
-    for (const std::string& note : scene.notes()) std::fprintf(stderr, "lumi: %s\n", visible(note).c_str());
+    for (const std::string& line : lines) print(stderr, "lumi: warning: %s\n", line.c_str());
+    for (const std::string& note : scene.notes()) print(stderr, "lumi: %s\n", note.c_str());
     warnings = lines.size();
     return scene;
 }

@@ -17,6 +17,7 @@
 #include "program/plugin.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -50,7 +51,7 @@ void require_of_scene(const FieldFile& field, const baker::Scene& scene, const s
 
 filter::Lessons lessons_of(const FilterOptions& options, const FieldFile& field, const baker::Scene& scene)
 {
-    std::fprintf(stderr, "truths of %d views, kept in %s\n", options.lessons.views, options.lessons.cache.c_str());
+    print(stderr, "truths of %d views, kept in %s\n", options.lessons.views, options.lessons.cache.c_str());
     ProgressPrinter printer(stderr, stderr_is_terminal());
     return filter::lessons_of(field, scene, options.lessons, watch(printer));
 }
@@ -80,8 +81,8 @@ private:
     static void tell(const filter::EpochReport& report)
     {
         if (stderr_is_terminal()) return;  // the bar says enough
-        std::fprintf(stderr, "epoch %d of at most %d: %.3f dB; best %.3f, drawn %.3f\n", report.epoch, report.epochs,
-                     report.validation_db, report.best_db, report.drawn_db);
+        print(stderr, "epoch %d of at most %d: %.3f dB; best %.3f, drawn %.3f\n", report.epoch, report.epochs,
+              report.validation_db, report.best_db, report.drawn_db);
     }
 
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -98,11 +99,12 @@ filter::TrainingResult trained(const FilterOptions& options, filter::Trainer& tr
 void print_result(const FilterOptions& options, const filter::TrainingResult& result, const filter::Verdict& verdict)
 {
     if (options.json) {
-        std::fputs(filter::json_of(verdict).c_str(), stdout);
+        print(stdout, "%s", filter::json_of(verdict).c_str());
         return;
     }
-    if (!result.gains) std::printf("%s keeps the drawn pictures: no epoch made them better\n", options.output.c_str());
-    std::printf("%d epochs; on views that it did not learn from:\n%s", result.epochs, text_of(verdict).c_str());
+    if (!result.gains)
+        print(stdout, "%s keeps the drawn pictures: no epoch made them better\n", options.output.c_str());
+    print(stdout, "%d epochs; on views that it did not learn from:\n%s", result.epochs, text_of(verdict).c_str());
 }
 
 void run(FilterOptions& options)
@@ -198,7 +200,7 @@ struct JudgeOptions {
 filter::Trial trial_of(const JudgeOptions& options, const FieldFile& field, const baker::Scene& scene)
 {
     const auto views = quality::held_out_views(quality::ViewSet::all, options.views);
-    std::fprintf(stderr, "truths of %d views, kept in %s\n", options.views, options.cache.c_str());
+    print(stderr, "truths of %d views, kept in %s\n", options.views, options.cache.c_str());
     ProgressPrinter printer(stderr, stderr_is_terminal());
     filter::Trial trial;
     trial.references = quality::references_of(scene, views, {options.samples, 1, options.scene.threads, false},
@@ -219,7 +221,7 @@ void judge(const JudgeOptions& options)
     const baker::Scene scene = load_scene(options.scene, warnings);
     require_of_scene(field, scene, options.scene.path);
     const filter::Verdict verdict = filter::verdict_on(network.get(), trial_of(options, field, scene));
-    std::fputs((options.json ? filter::json_of(verdict) : text_of(verdict)).c_str(), stdout);
+    print(stdout, "%s", (options.json ? filter::json_of(verdict) : text_of(verdict)).c_str());
 }
 
 void add_judge(CLI::App& filter)

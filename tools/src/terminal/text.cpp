@@ -2,9 +2,12 @@
 #include "terminal/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 namespace lumi::tools
@@ -61,6 +64,37 @@ std::string with_unit(double value, const char* const (&units)[kUnits])
     return (unit == 0 ? std::to_string(std::llround(value)) : three_digits(value)) + units[unit];
 }
 
+// How many bytes of UTF-8 follow this one; none follow a byte of another code.
+int following(unsigned char byte)
+{
+    constexpr unsigned char kTwo = 0xC2, kThree = 0xE0, kFour = 0xF0, kEnd = 0xF5;
+    return byte < kTwo || byte >= kEnd ? 0 : byte < kThree ? 1 : byte < kFour ? 2 : 3;
+}
+
+// Puts '?' in the place of control characters, and returns how many bytes the text then has.
+size_t make_visible(char* text, size_t size)
+{
+    constexpr unsigned char kDelete = 0x7F, kLastControl = 0x9F, kLatin = 0xC2;  // U+009F is C2 9F in UTF-8
+    const auto is_high_control = [&](size_t i) {
+        const auto byte = static_cast<unsigned char>(i < size ? text[i] : '\0');
+        return byte > kDelete && byte <= kLastControl;
+    };
+    const auto continues = [&](size_t i) { return i < size && (text[i] & 0xC0) == 0x80; };
+    size_t end = 0;
+    for (size_t i = 0; i < size;) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool is_pair = byte == kLatin && is_high_control(i + 1);
+        if ((byte < ' ' && byte != '\n') || byte == kDelete || is_high_control(i) || is_pair) {
+            text[end++] = '?';
+            i += is_pair ? 2 : 1;
+            continue;
+        }
+        text[end++] = text[i++];
+        for (int left = following(byte); left > 0 && continues(i); --left) text[end++] = text[i++];
+    }
+    return end;
+}
+
 }  // namespace
 
 std::optional<PixelSize> parse_size(std::string_view text)
@@ -100,7 +134,7 @@ std::optional<double> parse_cap_share(std::string_view text)
 {
     if (text.find_first_of(".%") == std::string_view::npos) return std::nullopt;
     const auto share = parse_share(text);
-    return share && *share > 0 && *share <= 1 ? share : std::nullopt;
+    return share && static_cast<float>(*share) > 0 && *share <= 1 ? share : std::nullopt;
 }
 
 std::optional<uint32_t> parse_cap(std::string_view text, uint32_t origins)
@@ -182,16 +216,34 @@ std::string shell_word(const std::string& word)
 
 std::string visible(std::string text)
 {
-    constexpr unsigned char kDelete = 0x7F, kLatin = 0xC2, kLastControl = 0x9F;  // U+009F is C2 9F in UTF-8
-    for (size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : '\0');
-        if ((byte < ' ' && byte != '\n') || byte == kDelete)
-            text[i] = '?';
-        else if (byte == kLatin && next > kDelete && next <= kLastControl)
-            text.replace(i, 2, "?");
-    }
+    text.resize(make_visible(text.data(), text.size()));
     return text;
+}
+
+void print(std::FILE* stream, const char* pattern, ...)
+{
+    std::array<char, 1024> few;  // messages about a full memory need none
+    std::string many;
+    char* text = few.data();
+    va_list values, again;
+    va_start(values, pattern);
+    va_copy(again, values);
+    const auto size = static_cast<size_t>(std::max(0, std::vsnprintf(text, few.size(), pattern, values)));
+    va_end(values);
+    if (size >= few.size()) {
+        many.resize(size);
+        text = many.data();
+        std::vsnprintf(text, size + 1, pattern, again);
+    }
+    va_end(again);
+    std::fwrite(text, 1, make_visible(text, size), stream);
+}
+
+std::string small_ending(const std::string& path)
+{
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,8 +57,14 @@ std::string duration_text(double seconds);
 std::string shell_word(const std::string& word);
 
 // `text` as a terminal may get it: '?' stands for each control character but line breaks, since names that strangers
-// chose may hold commands for the terminal. The controls of Unicode are among them.
+// chose may hold commands for the terminal. The controls of Unicode are among them, and their bytes outside of UTF-8.
 std::string visible(std::string text);
+
+// The one way to a terminal, but for the progress: prints as std::fprintf does what visible() leaves.
+[[gnu::format(printf, 2, 3)]] void print(std::FILE* stream, const char* pattern, ...);
+
+// Returns ".png" for "a/b.PNG".
+std::string small_ending(const std::string& path);
 
 // Returns `text` with every `from` replaced by `to`.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
