@@ -4,8 +4,8 @@
 
 Counts #include lines between the folders of core, platform, baker and tools, and prints a table for each area. Fails
 where an area includes from one that it must not know, where a second file includes a third party, where includes go back
-up the order of folders more often than allowed, and where folders or files include each other in a circle. --self-test
-plants such faults in a made-up tree.
+up the order of folders more often than allowed, where folders or files include each other in a circle, and where a file of
+the tools prints past visible(). --self-test plants such faults in a made-up tree.
 """
 import collections
 import os
@@ -139,6 +139,11 @@ THIRD_PARTIES = {
     "SDL": "platform/simulator/window.cpp",
 }
 
+# What prints text as it is, and the only files of the tools that may: names in files are strangers', and may hold commands
+# for terminals.
+PRINTS = re.compile(r"\b(?:v?f?printf|f?puts|f?putc|putchar|fwrite|perror)\(|\bstd::(?:cout|cerr) *<<")
+PRINTERS = ["tools/src/terminal/text.cpp", "tools/src/terminal/progress_printer.cpp"]
+
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
 WRITTEN_BY_BUILDS = ["lumi_version.h", "desk_clock.h", "product.h", "rates.inc"]
@@ -217,7 +222,10 @@ class Tree:
             by_name[os.path.basename(path)].append(path)
         for path in self.files:
             with open(os.path.join(root, path), encoding="utf-8") as source:
-                found = INCLUDE.findall(source.read())
+                text = source.read()
+            found = INCLUDE.findall(text)
+            if lies_in(path, "tools/src") and path not in PRINTERS and PRINTS.search(text):
+                self.problems.append(f"{path}: prints past visible(); use print() of terminal/text.h")
             self.problems += third_party_problems(path, [name for quote, name in found if quote == "<"])
             for quote, name in found:
                 target = self.resolve(path, name, known, roots, by_name if quote == '"' else {})
@@ -362,6 +370,7 @@ def self_test():
         ("an include of nothing", {"core/src/x.cpp": '#include "gone.h"\n'}, 8, "no folder of ours has"),
         ("a third party in a second file", {"tools/src/x.cpp": "#include <png.h>\n"}, 0, "which only"),
         ("a third party in its file", {"platform/host/src/png_reader.cpp": "#include <png.h>\n"}, 0, None),
+        ("a name that is printed as it is", {"tools/src/x.cpp": 'std::printf("%s", name);\n'}, 0, "past visible"),
         ("a folder without a place", {"platform/new/x.h": ""}, 8, "no place"),
     ]
     for title, planted, allowed, expected in cases:

@@ -83,6 +83,27 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {bake("--threads", "many"), "--threads takes a whole number from 0 to 1024, not \"many\""},
         {bake("--threads", "99999999999"), "--threads takes a whole number from 0 to 1024, not \"99999999999\""},
         {bake("--seed", "x"), "--seed takes a whole number from 0 to 18446744073709551615, not \"x\""},
+        {bake("--cap", "1e-300%"), "50%"},
+        {render("--span", "32"), "--span takes 0, 1, 2, 4, 8 or 16, not \"32\""},
+        {{"bake", kScene, "--spp", "1", "--spp", "1", "--spp", "2"}, "--spp is given 3 times; give it once"},
+        {{"bake", kScene, "--restart=foo"}, "--restart takes no value, not \"foo\""},
+        {{"bake", kScene, "--fit"}, "--fit needs a value behind it: SIZE"},
+        {bake("--for", ","), "--for takes no empty word between commas, not \",\""},
+        {{"inspect", field, "--for", "rp2040,,rp2350"}, "no empty word"},
+        {{"inspect", field, "--for", "rp2040,z80"}, "not \"z80\""},
+        {{"report", kScene, field, "--mode", ","}, "--mode takes no empty word"},
+        {{"bake"}, "SCENE is missing"},
+        {{"inspect", field, "other"}, "there is no place for the argument \"other\""},
+        {{"inspect", field, "--up", "z"}, "--up needs --output beside it"},
+        {{"render", field, "-o", png, "--pose", "p", "--orbit", "1,2,3"}, "leave one of them out"},
+        {{"filter", "frob"}, "there is no subcommand \"frob\""},
+        {{"render", field, "-o", png + "/"}, "--output takes a file, not the folder \""},
+        {{"render", field, "-o", folder / ".png"}, "name it " + folder / "view.png"},
+        {{"view", field, "--orbit", "30,20,1"}, "radii from 1.25 to 8; not \"30,20,1\""},
+        {{"--"}, "lumi --help"},
+        {{"bake", "--"}, "SCENE is missing"},
+        {{"bake", kScene, "--", "--layout", "chord"}, "the argument \"./--layout\""},
+        {{"inspect", field, "--", "--help"}, "\"./--help\""},
         {{"embed", field, "-o", folder / "field.txt"}, "ends in .S"},
         {{"embed", field, "-o", folder / "field.S", "--symbol", "a-b"}, "--symbol"},
         {{"embed", field, "-o", folder / "int.S"}, "\"int\" has a meaning of its own in C or C++; "},
@@ -96,6 +117,16 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         CHECK(outcome.out.empty());
         CHECK(folder.entries() == 1);
     }
+}
+
+TEST_CASE("behind -- each word is a file, whatever it begins with")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "-f.lumi", test::field_bytes({}));
+    const std::string begin = "cd '" + folder.path() + "' && '" + LUMI_PROGRAM + "' ";
+    for (const char* call :
+         {"inspect -- -f.lumi", "inspect --json -- -f.lumi", "-- inspect ./-f.lumi", "inspect ./-f.lumi --"})
+        CHECK(test::run_program({"sh", "-c", begin + call}).code == 0);
 }
 
 TEST_CASE("help says what --help says")

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "files/output_file.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
@@ -85,6 +86,20 @@ void check_refused(const test::Arguments& call, int code, const std::string& wor
 
 }  // namespace
 
+TEST_CASE("what a stranger wrote into a field commands no terminal")
+{
+    const test::TemporaryFolder folder;
+    const auto clear_screen = detail::format::four_cc('\x1b', '[', '2', 'J');
+    const test::TestField field;
+    test::write_content(folder / "f.lumi",
+                        test::file_bytes({{detail::format::kLayoutSection, test::layout_bytes(field)},
+                                          {detail::format::kTexelSection, test::texel_bytes(field)},
+                                          {clear_screen, "four", false}}));
+    const Outcome text = lumi({"inspect", folder / "f.lumi"}), json = lumi({"inspect", folder / "f.lumi", "--json"});
+    CHECK_THAT(text.out, Catch::Contains("?[2J") && !Catch::Contains("\x1b"));
+    CHECK_THAT(json.out, Catch::Contains("\\u001b[2J") && !Catch::Contains("\x1b"));
+}
+
 TEST_CASE(
     "inspect writes a mesh in the units and axes of the scene, seen from outside, see-through parts by themselves")
 {
@@ -116,17 +131,17 @@ TEST_CASE("inspect -o says what it cannot write, and leaves what is there")
     const test::TemporaryFolder folder;
     const std::string chord = folder / "chord.lumi", surface = folder / "f.lumi", old = folder / "old.obj";
     test::write_content(chord, test::field_bytes({}));
-    test::write_content(old, "old");
+    test::write_content(old, kMeshMark);
     write_panes(surface);
     check_refused({"inspect", chord, "-o", old}, 1, "has no mesh; bake a surface field");
-    CHECK(test::content_of(old) == "old");
+    CHECK(test::content_of(old) == kMeshMark);
     check_refused({"inspect", surface, "-o", folder / "f.stl"}, 2, "takes a mesh (.obj)");
     check_refused({"inspect", surface, "--up", "z"}, 2, "--output");
     std::string damaged = test::content_of(surface);
     damaged.back() = static_cast<char>(damaged.back() ^ 1);
     test::write_content(surface, damaged);
     check_refused({"inspect", surface, "-o", old}, 1, "f.lumi");
-    CHECK(test::content_of(old) == "old");
+    CHECK(test::content_of(old) == kMeshMark);
     CHECK(folder.entries() == 3);
 }
 

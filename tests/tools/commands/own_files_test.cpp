@@ -227,6 +227,34 @@ TEST_CASE("own files: embed keeps its field and does not write source and header
     check_twins_refused("embed f.lumi -o two.S", "two.h");
 }
 
+TEST_CASE("own files: no command replaces a model, though it does not read it, but what lumi wrote under such a name")
+{
+    const Workshop shop;
+    REQUIRE(shop.run("bake s.obj -o surface.lumi" + kTinySurfaceBake).code == 0);
+    REQUIRE(shop.run("bake s.json -o surface.lumi" + kTinySurfaceBake).code == 0);
+    const std::string mesh = "inspect surface.lumi -o mesh.obj", flashed = "embed f.lumi -o f.bin",
+                      plan = "bake s.obj --layout surface --fit 100kB --plan-only --plan plan.json";
+    for (const std::string& call : {mesh, mesh, flashed, flashed, plan, plan}) CHECK(shop.run(call).code == 0);
+    for (const char* name : {"x.OBJ", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb", "x.bin"})
+        write_content(shop.folder / name, "a model");
+    fs::create_symlink("x.glb", shop.folder / "link.html");
+    const auto before = shop.entries();
+    const std::pair<std::string, std::string> calls[] = {{"inspect surface.lumi -o s.obj", "s.obj"},
+                                                         {"inspect surface.lumi -o x.OBJ", "x.OBJ"},
+                                                         {"embed f.lumi -o x.bin", "x.bin"},
+                                                         {"view f.lumi -o link.html", "link.html"},
+                                                         {plan.substr(0, plan.rfind(' ')) + " s.json", "s.json"}};
+    for (const auto& [call, file] : calls) {
+        const Outcome outcome = shop.run(call);
+        INFO("lumi " << call << "\n" << outcome.err);
+        CHECK(outcome.code == 1);
+        CHECK_THAT(outcome.err, Catch::Contains(file + ": this is a file of a model, which lumi did not write"));
+    }
+    for (const char* name : {"s.mtl", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb"})
+        CHECK(shop.run("bake s.obj -o " + std::string(name) + kTinyBake).code == 1);
+    CHECK((shop.entries() == before));
+}
+
 TEST_CASE("own files: outputs may replace earlier outputs, be new, or be a device twice")
 {
     const Workshop shop;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `lumi view` through the program.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 
 #include "image/picture_file.h"
@@ -71,15 +70,15 @@ TEST_CASE("view names what is wrong with a call")
 TEST_CASE("without -o and without xdg-open, view says how to write the page to a file")
 {
     if (!has_modules()) return;
-    const char* const path = std::getenv("PATH");
-    const std::string before = path == nullptr ? "" : path;
-    setenv("PATH", (folder() / "nothing").c_str(), 1);
-    setenv("TMPDIR", folder().path().c_str(), 1);
-    const test::Outcome outcome = view({});
-    setenv("PATH", before.c_str(), 1);
-    unsetenv("TMPDIR");
+    const test::TemporaryFolder temporary;
+    const auto view_in = [](const std::string& folder) {
+        return test::run_program({"/usr/bin/env", "PATH=/none", "TMPDIR=" + folder, LUMI_PROGRAM, "view", field()});
+    };
+    const test::Outcome outcome = view_in(temporary.path()), nowhere = view_in(temporary / "none");
     CHECK(outcome.code == 1);
     CHECK_THAT(outcome.err, Catch::Contains("xdg-open") && Catch::Contains("-o view.html"));
+    CHECK(temporary.entries() == 0);
+    CHECK_THAT(nowhere.err, Catch::Contains(temporary / "none: ") && Catch::Contains("; set TMPDIR to a folder"));
 }
 
 TEST_CASE("a page takes a turntable to compare with, and refuses what is none")

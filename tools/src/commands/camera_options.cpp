@@ -21,16 +21,31 @@ void set_size(const std::string& text, ViewOptions& options)
     options.height_px = size->height_px;
 }
 
-void set_orbit(const std::string& text, ViewOptions& options)
+// `radii` says which distances `is_near_enough` takes.
+template <class Check>
+void set_orbit(const std::string& text, ViewOptions& options, const char* radii, Check is_near_enough)
 {
-    constexpr double kPole = 90, kFarthest = kMaxEyeDistanceQ20 / kOneQ20;
+    constexpr double kPole = 90;
     const auto orbit = parse_triple(text);
-    if (!orbit || std::abs((*orbit)[1]) > kPole || (*orbit)[2] <= 1 || (*orbit)[2] > kFarthest)
+    if (!orbit || std::abs((*orbit)[1]) > kPole || !is_near_enough((*orbit)[2]))
         throw CLI::ValidationError("--orbit",
                                    "takes AZIMUTH,ELEVATION,DISTANCE such as 30,20,3: degrees, degrees from -90 "
-                                   "to 90, radii above 1 and up to 2047; not \"" +
-                                       text + "\"");
+                                   "to 90, radii " +
+                                       std::string(radii) + "; not \"" + text + "\"");
     options.orbit = {(*orbit)[0], (*orbit)[1], (*orbit)[2]};
+}
+
+void set_picture_orbit(const std::string& text, ViewOptions& options)
+{
+    constexpr double kFarthest = kMaxEyeDistanceQ20 / kOneQ20;
+    set_orbit(text, options, "above 1 and up to 2047", [](double radii) { return radii > 1 && radii <= kFarthest; });
+}
+
+// The limits of the page's eye: platform/wasm/viewer.cpp.
+void set_page_orbit(const std::string& text, ViewOptions& options)
+{
+    constexpr double kNearest = 1.25, kFarthest = 8;
+    set_orbit(text, options, "from 1.25 to 8", [](double radii) { return radii >= kNearest && radii <= kFarthest; });
 }
 
 void set_background(const std::string& text, ViewOptions& options)
@@ -58,9 +73,9 @@ void add(CLI::App& command, const std::string& name, void (*set)(const std::stri
         ->type_name(type);
 }
 
-void add_orbit(CLI::App& command, ViewOptions& options)
+void add_orbit(CLI::App& command, ViewOptions& options, void (*set)(const std::string&, ViewOptions&))
 {
-    add(command, "--orbit", set_orbit, options, "AZ,EL,DIST",
+    add(command, "--orbit", set, options, "AZ,EL,DIST",
         "Where the eye is: azimuth and elevation in degrees, distance from the centre in radii of the sphere "
         "[30,20,3]");
 }
@@ -69,7 +84,7 @@ void add_orbit(CLI::App& command, ViewOptions& options)
 
 void add_start_options(CLI::App& command, ViewOptions& options)
 {
-    add_orbit(command, options);
+    add_orbit(command, options, set_page_orbit);
     add(command, "--background", set_background, options, "gradient|black|RRGGBB",
         "What lies behind the object [gradient, a dark grey one; black with --reference]");
 }
@@ -79,7 +94,7 @@ void add_camera_options(CLI::App& command, ViewOptions& options, const std::stri
     set_background(background, options);
     constexpr double kMinFovDeg = 1, kMaxFovDeg = 120;
     add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
-    add_orbit(command, options);
+    add_orbit(command, options, set_picture_orbit);
     command
         .add_option("--fov", options.fov_deg,
                     "Field of view over the longer side in degrees [so that the "
@@ -116,20 +131,16 @@ void add_picture_output(CLI::App& command, std::string& output, const std::strin
 
 void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description)
 {
-    const auto set = [&paces](const std::vector<std::string>& words) {
-        for (const std::string& word : words) {
-            const auto pace = planner::parse_pace(word);
-            if (!pace)
-                throw CLI::ValidationError("--for",
-                                           "takes parts with or without a frame rate, such as rp2040 or "
-                                           "rp2040@30fps, with " +
-                                               planner::chip_names() + ", not \"" + word + "\"");
-            paces.push_back(*pace);
-        }
+    const auto set = [&paces](const std::string& word) {
+        const auto pace = planner::parse_pace(word);
+        if (!pace)
+            throw CLI::ValidationError("--for",
+                                       "takes parts with or without a frame rate, such as rp2040 or rp2040@30fps, "
+                                       "with " +
+                                           planner::chip_names() + ", not \"" + word + "\"");
+        paces.push_back(*pace);
     };
-    command.add_option_function<std::vector<std::string>>("--for", set, description + ": " + planner::chip_names())
-        ->delimiter(',')
-        ->type_name("PART[@RATEfps],...");
+    add_list(command, "--for", set, description + ": " + planner::chip_names())->type_name("PART[@RATEfps],...");
 }
 
 void add_screen_options(CLI::App& command, host::ScreenSize& screen)

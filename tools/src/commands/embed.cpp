@@ -154,8 +154,8 @@ void run(const EmbedOptions& options)
     require_same_purpose(header, options.output, purpose);
     const std::string declarations = embed_header(name.symbol, kind, field, address, purpose);
     write_outputs({{options.output, source}, {header, declarations}});
-    std::printf("%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
-                field.size());
+    print(stdout, "%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
+          field.size());
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::string obj_of(const FieldFile& file, baker::UpAxis up)
         throw Failure(file.path(), "a chord field is a table of rays and has no mesh",
                       "bake a surface field (lumi bake --layout surface)");
     const SurfaceField& field = file.surface();
-    std::string text = "# the mesh of a LumiPath field, in the units of its scene; written by lumi inspect\n";
+    std::string text = std::string(kMeshMark) + ", in the units of its scene; written by lumi inspect\n";
     for (uint32_t k = 0; k < field.vertex_count; ++k)
         append_vertex(in_scene_axes(detail::surface_vertex(field, k), up), file.sphere(), text);
     uint32_t begin = 0;
@@ -140,7 +140,7 @@ void run(const InspectOptions& options)
     std::optional<Waiting> waiting(std::in_place, "drawing poses to time them");
     const std::string text = options.json ? json_of(options, file) : text_of(options, file);
     waiting.reset();
-    std::fputs(text.c_str(), stdout);
+    print(stdout, "%s", text.c_str());
     if (options.verify) file.require_intact();
     if (!options.output.empty()) write_mesh(options, file);
 }

@@ -17,6 +17,7 @@
 #include "program/plugin.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -60,10 +61,10 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
 void warn_of_spans(const RenderOptions& options, const Field& field)
 {
     if (options.drawing.span_px > 1 && !fits_spans(field))
-        std::fprintf(stderr,
-                     "lumi: warning: %s: --span draws lattices of %u to %u points; every pixel of this field is drawn "
-                     "exactly\n",
-                     options.field.c_str(), detail::kMinSpanLattice, detail::kMaxSpanLattice);
+        print(stderr,
+              "lumi: warning: %s: --span draws lattices of %u to %u points; every pixel of this field is drawn "
+              "exactly\n",
+              options.field.c_str(), detail::kMinSpanLattice, detail::kMaxSpanLattice);
 }
 
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
@@ -99,7 +100,7 @@ void run(const RenderOptions& options, const Stages& stages)
     };
     const std::vector<std::string> written = write_views(options.views, options.output, told, options.drawing.display);
     waiting.reset();
-    for (const std::string& path : written) std::printf("%s\n", path.c_str());
+    for (const std::string& path : written) print(stdout, "%s\n", path.c_str());
 }
 
 // Says what is wrong with the word; nothing if it is a mode.
@@ -131,7 +132,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         .add_option("--span", options.drawing.span_px,
                     "Chord fields: pixels between exact hits, 2, 4, 8 or 16; 0 or 1: every pixel is exact")
         ->type_name("S")
-        ->check(CLI::IsMember({0, 1, 2, 4, 8, 16}))
+        ->check(one_of({0, 1, 2, 4, 8, 16}))
         ->capture_default_str();
     add_choice<DisplayFormat>(
         command, "--pixel", options.drawing.display,

@@ -20,6 +20,7 @@
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -44,7 +45,7 @@ struct ReportOptions {
 std::vector<quality::Reference> traced(const ReportOptions& options, const baker::Scene& scene,
                                        const std::vector<quality::HeldOutView>& views)
 {
-    std::fputs("references\n", stderr);
+    print(stderr, "references\n");
     ProgressPrinter printer(stderr, stderr_is_terminal());
     try {
         return quality::references_of(scene, views, options.reference, options.cache, watch(printer));
@@ -108,7 +109,7 @@ void tell_quality(const ReportOptions& options, const quality::ReportData& repor
         const Waiting waiting("drawing poses to time them");
         for (const auto& field : fields) text += field->path() + ": " + device_text(*field);
     }
-    std::fputs(text.c_str(), stdout);
+    print(stdout, "%s", text.c_str());
     if (!options.output.empty()) write_output(options.output, page_of(report));
 }
 
@@ -116,7 +117,7 @@ void tell_trade(const ReportOptions& options, const quality::ReportData& report,
 {
     const std::string text =
         options.json ? with_trade(json_of(report), trade) : text_of(trade) + "\n" + text_of(report);
-    std::fputs(text.c_str(), stdout);
+    print(stdout, "%s", text.c_str());
     if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
 }
 
@@ -157,20 +158,14 @@ void make_quick(const CLI::App& command, ReportOptions& options)
 
 void add_modes(CLI::App& command, std::vector<quality::DrawMode>& modes)
 {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--mode",
-            [&modes](const std::vector<std::string>& words) {
-                for (const std::string& word : words) {
-                    const auto mode = quality::parse_draw_mode(word);
-                    if (!mode)
-                        throw CLI::ValidationError(
-                            "--mode", std::string("takes ") + quality::kDrawModeWords + "; not \"" + word + "\"");
-                    modes.push_back(*mode);
-                }
-            },
-            std::string("Also draw chord fields by these modes: ") + quality::kDrawModeWords)
-        ->delimiter(',')
+    const auto set = [&modes](const std::string& word) {
+        const auto mode = quality::parse_draw_mode(word);
+        if (!mode)
+            throw CLI::ValidationError("--mode",
+                                       std::string("takes ") + quality::kDrawModeWords + "; not \"" + word + "\"");
+        modes.push_back(*mode);
+    };
+    add_list(command, "--mode", set, std::string("Also draw chord fields by these modes: ") + quality::kDrawModeWords)
         ->type_name("LIST");
 }
 

@@ -206,17 +206,8 @@ std::string page_of(const PageOptions& options, const FieldFile& file)
                               {"{{script}}", kPageScript}});
 }
 
-// The limits of the page's eye: platform/wasm/viewer.cpp.
-void require_in_reach(const host::Orbit& orbit)
-{
-    constexpr double kNearest = 1.25, kFarthest = 8;
-    if (orbit.distance < kNearest || orbit.distance > kFarthest)
-        throw UsageError("--orbit of a page takes a distance of 1.25 to 8 radii");
-}
-
 void run(const PageOptions& options)
 {
-    require_in_reach(options.views.orbit);
     if (options.views.background.kind == Background::Kind::none)
         throw UsageError("--background of a page takes gradient, black or a colour: a display shows no alpha");
     announce_outputs({options.output});
@@ -231,8 +222,8 @@ void run(const PageOptions& options)
     else
         write_output(path, html);
     if (!std::filesystem::is_regular_file(path)) return;
-    std::printf("%s: %s, of which the field has %s\n", path.c_str(), byte_text(html.size()).c_str(),
-                byte_text(file.size()).c_str());
+    print(stdout, "%s: %s, of which the field has %s\n", path.c_str(), byte_text(html.size()).c_str(),
+          byte_text(file.size()).c_str());
 }
 
 }  // namespace

@@ -5,13 +5,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "lumi/baker/file_guard.h"
+#include "lumi/field_format.h"
 #include "terminal/failure.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -47,7 +51,44 @@ fs::path resolved(const std::string& path)
     return baker::followed(path);
 }
 
-bool holds_earlier_output(const fs::path& path)
+// How files begin that lumi writes under endings of models, scenes and their parts; nothing: it writes none.
+struct ModelEnding {
+    std::string_view ending, mark;
+};
+const ModelEnding kModelEndings[] = {
+    {".obj", kMeshMark},
+    {".json", "{\n  \"budget_bytes\""},  // a plan
+    {".bin", {reinterpret_cast<const char*>(detail::format::kMagic), sizeof detail::format::kMagic}},
+    {".mtl", ""},
+    {".gltf", ""},
+    {".glb", ""},
+    {".stl", ""},
+    {".ply", ""},
+    {".nii", ""},
+    {".gz", ""},
+    {".vdb", ""},
+    {".hdr", ""},
+    {".jpg", ""},
+    {".jpeg", ""}};
+
+// A mistyped output must not cost anybody's work. An empty file holds none.
+void require_no_model(const fs::path& path, const std::string& name)
+{
+    const std::string ending = small_ending(path.string());
+    for (const ModelEnding& model : kModelEndings) {
+        if (ending != model.ending) continue;
+        std::string begin(std::max<size_t>(1, model.mark.size()), '\0');
+        std::ifstream file(path, std::ios::binary);
+        file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+        begin.resize(static_cast<size_t>(file.gcount()));
+        if (!begin.empty() && (model.mark.empty() || begin != model.mark))
+            throw Failure(name, "this is a file of a model, which lumi did not write and would replace",
+                          "choose another name for the output");
+    }
+}
+
+// Whether an output may take the place of what is there; `name` leads to `path`.
+bool holds_earlier_output(const fs::path& path, const std::string& name)
 {
     struct stat status = {};
     if (stat(path.c_str(), &status) != 0) {
@@ -55,6 +96,7 @@ bool holds_earlier_output(const fs::path& path)
         return true;
     }
     if (S_ISDIR(status.st_mode)) fail(path.string(), EISDIR);
+    if (S_ISREG(status.st_mode)) require_no_model(path, name);
     return S_ISREG(status.st_mode);
 }
 
@@ -143,7 +185,7 @@ OutputSet::~OutputSet() = default;
 void OutputSet::add(const std::string& path, std::string_view bytes)
 {
     baker::require_no_input(path);
-    if (holds_earlier_output(resolved(path)))
+    if (holds_earlier_output(resolved(path), path))
         files_.emplace_back(path, bytes);
     else
         streams_.emplace_back(path, bytes);
@@ -177,14 +219,14 @@ void write_output(const std::string& path, std::string_view bytes)
 std::string regular_target(const std::string& path)
 {
     const fs::path target = resolved(path);
-    if (!holds_earlier_output(target)) throw Failure(path, "is a device or a pipe", "name a file");
+    if (!holds_earlier_output(target, path)) throw Failure(path, "is a device or a pipe", "name a file");
     return target.string();
 }
 
 void require_writable(const std::string& path)
 {
     const fs::path target = resolved(path);
-    if (!holds_earlier_output(target)) return;
+    if (!holds_earlier_output(target, path)) return;
     int descriptor = -1;
     const std::string temporary = create_beside(target, descriptor);
     close(descriptor);

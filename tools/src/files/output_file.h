@@ -11,6 +11,9 @@
 namespace lumi::tools
 {
 
+// The mesh of a field begins with it.
+inline constexpr std::string_view kMeshMark = "# the mesh of a LumiPath field";
+
 struct Output {
     std::string path;
     std::string_view bytes;
@@ -42,9 +45,10 @@ private:
 // Writes all or none, by an OutputSet.
 void write_outputs(const std::vector<Output>& outputs);
 
-// Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, or FileClash where `path` is a file that
-// the command has read (lumi/baker/file_guard.h). A symbolic link is followed; devices and
-// pipes are written straight to, since they hold no earlier output. Readers never see half a file.
+// Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, also where a model stands there that lumi
+// did not write; FileClash where `path` is a file that the command has read (lumi/baker/file_guard.h). A symbolic link
+// is followed; devices and pipes are written straight to, since they hold no earlier output. Readers never see half a
+// file.
 void write_output(const std::string& path, std::string_view bytes);
 
 // The file that a rename over `path` must replace: `path`, or the target of a link. Throws Failure for a folder, a

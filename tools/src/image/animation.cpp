@@ -7,6 +7,7 @@
 #include <new>
 
 #include "image/picture_file.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
@@ -60,7 +61,7 @@ std::string wrong_views_name(const std::string& path)
 {
     if (is_animation_name(path)) return "";
     const std::string wrong = wrong_png_name(path);
-    return wrong.empty() ? "" : wrong + "; a --turntable may also be one .webp";
+    return wrong.find("PNG") == std::string::npos ? wrong : wrong + "; a --turntable may also be one .webp";
 }
 
 struct Animation::Encoder {

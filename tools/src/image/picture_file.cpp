@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "image/picture_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,16 +9,10 @@
 #include "lumi/baker/picture_file.h"
 #include "lumi/host/png.h"
 #include "terminal/failure.h"
+#include "terminal/text.h"
 
 namespace lumi::tools
 {
-
-std::string small_ending(const std::string& path)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
 
 std::string wrong_png_name(const std::string& path)
 {
@@ -29,8 +21,10 @@ std::string wrong_png_name(const std::string& path)
     std::error_code ignored;
     const fs::file_status status = fs::status(name, ignored);
     if (small_ending(path) == ".png" || fs::is_character_file(status) || fs::is_fifo(status)) return "";
-    return "pictures are PNG files; name it " + fs::path(name).replace_extension(".png").string() + ", not \"" + path +
-           "\"";
+    if (!name.has_filename()) return "takes a file, not the folder \"" + path + "\"";
+    const fs::path mended =
+        name.stem() == ".png" ? fs::path(name).replace_filename("view.png") : fs::path(name).replace_extension(".png");
+    return "pictures are PNG files; name it " + mended.string() + ", not \"" + path + "\"";
 }
 
 Picture read_png(const std::string& path)
@@ -88,7 +82,8 @@ std::string wrong_reference_name(const std::string& path)
 {
     if (is_exr_name(path)) return "";
     const std::string wrong = wrong_views_name(path);
-    return wrong.empty() ? "" : wrong + "; linear light is written to names that end in .exr";
+    return wrong.find("PNG") == std::string::npos ? wrong
+                                                  : wrong + "; linear light is written to names that end in .exr";
 }
 
 std::string exr_bytes(const baker::RadianceImage& image)

@@ -10,9 +10,6 @@
 namespace lumi::tools
 {
 
-// Returns ".png" for "a/b.PNG".
-std::string small_ending(const std::string& path);
-
 // Says what is wrong with it as the name of a picture; nothing if it ends in ".png", or is a device or a pipe.
 std::string wrong_png_name(const std::string& path);
 

@@ -81,6 +81,18 @@ WordCheck any_number()
     };
 }
 
+WordCheck one_of(const std::vector<int>& numbers)
+{
+    std::string listed;
+    for (size_t k = 0; k < numbers.size(); ++k)
+        listed += (k == 0 ? "" : k + 1 == numbers.size() ? " or " : ", ") + std::to_string(numbers[k]);
+    return [numbers, listed](const std::string& word) -> std::string {
+        const auto value = parsed<int>(word);
+        const bool is_known = value && std::find(numbers.begin(), numbers.end(), *value) != numbers.end();
+        return is_known ? "" : "takes " + listed + not_this(word);
+    };
+}
+
 void require_plain_words(CLI::App& app)
 {
     for (CLI::Option* option : app.get_options())
@@ -88,11 +100,59 @@ void require_plain_words(CLI::App& app)
     for (CLI::App* command : app.get_subcommands(nullptr)) require_plain_words(*command);
 }
 
+namespace
+{
+
+// Two texts, each before, between and after the same two words.
+struct Wording {
+    const char *before, *between, *after, *our_before, *our_between, *our_after;
+};
+constexpr Wording kOfChecks = {"", ": takes ", "", "", " takes ", ""};
+constexpr Wording kWordings[] = {
+    {"", ": At Most 1 required but received ", "", "", " is given ", " times; give it once"},
+    {"", ": At most 1 required but received ", "", "", " is given ", " times; give it once"},
+    {"", ": 1 required ", " missing", "", " needs a value behind it: ", ""},
+    {"Could not convert: ", " = ", "", "", " takes no value, not \"", "\""},
+    {"", " excludes ", "", "", " does not go with ", "; leave one of them out"},
+    {"", " requires ", "", "", " needs ", " beside it"},
+    {"", " is required", "", "", " is missing", ""},
+};
+
+// In our words, or nothing where it is none of theirs.
+std::optional<std::string> in_our_words(const std::string& text, const Wording& w)
+{
+    const std::string before = w.before, between = w.between, after = w.after;
+    const size_t first = before.size(), at = text.find(between, first), second = at + between.size();
+    if (text.compare(0, first, before) != 0 || at == std::string::npos || text.size() < second + after.size() ||
+        text.compare(text.size() - after.size(), after.size(), after) != 0)
+        return std::nullopt;
+    return w.our_before + text.substr(first, at - first) + w.our_between +
+           text.substr(second, text.size() - after.size() - second) + w.our_after;
+}
+
+}  // namespace
+
 std::string parse_problem(const CLI::ParseError& error)
 {
-    const std::string text = replaced(visible(error.what()), "\n", "?"), colon = ": takes ";
-    const size_t at = text.find(colon);
-    return at == std::string::npos ? text : text.substr(0, at) + text.substr(at + 1);
+    const std::string text = replaced(visible(error.what()), "\n", "?");
+    if (error.get_name() == "ValidationError") return in_our_words(text, kOfChecks).value_or(text);
+    for (const Wording& wording : kWordings)
+        if (const auto ours = in_our_words(text, wording)) return *ours;
+    return text;
+}
+
+CLI::Option* add_list(CLI::App& command, const std::string& name, const std::function<void(const std::string&)>& set,
+                      const std::string& description)
+{
+    const auto set_all = [name, set](const std::string& words) {
+        for (size_t begin = 0; begin <= words.size();) {
+            const size_t end = std::min(words.find_first_of(",\n", begin), words.size());
+            if (end == begin) throw CLI::ValidationError(name, "takes no empty word between commas" + not_this(words));
+            set(words.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    };
+    return command.add_option_function<std::string>(name, set_all, description)->join();  // by line breaks
 }
 
 }  // namespace lumi::tools

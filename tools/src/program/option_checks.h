@@ -21,6 +21,7 @@ WordCheck whole_number(uint64_t least, uint64_t most);
 // The word is a finite number.
 WordCheck number(double least, double most);
 WordCheck any_number();
+WordCheck one_of(const std::vector<int>& numbers);
 
 // The most light paths for a texel or a pixel, and the most threads, that options take.
 constexpr uint64_t kMostPaths = uint64_t{1} << 24;
@@ -31,8 +32,13 @@ constexpr uint64_t kMostThreads = 1024;
 // a file.
 void require_plain_words(CLI::App& app);
 
-// CLI11's text, "NAME takes ..." where a check or a choice failed.
+// What is wrong in our words, "NAME takes ..." where a check or a choice failed.
 std::string parse_problem(const CLI::ParseError& error);
+
+// Adds an option that takes words with commas between them, and may be given again; `set` gets each word and throws
+// CLI::ValidationError for a wrong one.
+CLI::Option* add_list(CLI::App& command, const std::string& name, const std::function<void(const std::string&)>& set,
+                      const std::string& description);
 
 // The words of an option that takes one of a list.
 template <class Value>

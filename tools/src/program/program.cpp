@@ -61,8 +61,11 @@ std::string problem_of(const CLI::App& app, const CLI::ParseError& error)
     const auto rest = app.remaining(true);
     const std::string first = rest.empty() ? "" : rest.front();
     if (!first.empty() && first[0] == '-') return "there is no option " + first + host::meant(first, options_of(app));
-    if (!first.empty() && app.get_subcommands().empty()) return no_subcommand(app, first);
-    return parse_problem(error);
+    const CLI::App* chosen = &app;
+    while (!chosen->get_subcommands().empty()) chosen = chosen->get_subcommands().front();
+    const bool has_subcommands = !chosen->get_subcommands(nullptr).empty();
+    if (!first.empty() && has_subcommands) return no_subcommand(*chosen, first);
+    return first.empty() ? parse_problem(error) : "there is no place for the argument \"" + first + "\"";
 }
 
 // Adds `program help` and `program help COMMAND`. Call after all other commands were added.
@@ -80,7 +83,7 @@ void add_help_command(CLI::App& app, const std::string& program)
             if (each->get_name() == *name) described = each;
         if (described == &app && !name->empty()) throw UsageError(no_subcommand(app, *name));
         if (described != &app) usage += " " + *name;
-        std::fputs(app.get_formatter()->make_help(described, usage, CLI::AppFormatMode::Normal).c_str(), stdout);
+        print(stdout, "%s", app.get_formatter()->make_help(described, usage, CLI::AppFormatMode::Normal).c_str());
     });
 }
 
@@ -152,7 +155,7 @@ void finish_standard_output()
 
 int report(const char* message, ExitCode code)
 {
-    std::fprintf(stderr, "%s: %s\n", program_name, visible(message).c_str());
+    print(stderr, "%s: %s\n", program_name, message);
     return code;
 }
 
@@ -198,6 +201,19 @@ int report_parse_error(const CLI::App& app, const CLI::ParseError& error)
     return kExitUsage;
 }
 
+// In the order in which CLI11 takes them, the last first. Behind "--" no word is an option, as everywhere: what begins
+// with a hyphen there is a file.
+std::vector<std::string> words_of(int argc, char** argv)
+{
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const auto mark = std::find(words.begin(), words.end(), "--");
+    for (auto word = mark; word != words.end(); ++word)
+        if (word->rfind('-', 0) == 0) word->insert(0, "./");
+    if (mark != words.end()) words.erase(mark);
+    std::reverse(words.begin(), words.end());
+    return words;
+}
+
 int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
 {
     CLI::App app;
@@ -209,7 +225,7 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
     require_plain_words(app);
     const baker::FileGuard guard;
     try {
-        app.parse(argc, argv);
+        app.parse(words_of(argc, argv));
     } catch (const CLI::ParseError& error) {
         return report_parse_error(app, error);
     } catch (const UsageError& error) {
@@ -219,8 +235,8 @@ int run(const std::function<void(CLI::App&)>& describe, int argc, char** argv)
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::filesystem::filesystem_error& error) {
-        const Failure failure(error.path1().string(), "cannot be looked up (" + error.code().message() + ")",
-                              "check the path");
+        const std::string place = error.path1().empty() ? "the folder for temporary files" : error.path1().string();
+        const Failure failure(place, "cannot be looked up (" + error.code().message() + ")", "check the path");
         return report(failure.what(), kExitFailed);
     } catch (const std::system_error& error) {
         if (error.code() != std::errc::resource_unavailable_try_again) return report(error.what(), kExitFailed);

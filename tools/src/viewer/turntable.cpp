@@ -45,16 +45,19 @@ void run_program(std::string name, std::vector<std::string> arguments, const std
 }
 
 // A new folder for temporary files; others can neither read it nor put a link in its place. Throws Failure.
-std::filesystem::path new_temporary_folder(const std::string& mend)
+std::filesystem::path new_temporary_folder()
 {
+    constexpr char kMend[] =
+        "set TMPDIR to a folder that you may write to, or write the page to a file with -o view.html";
     std::error_code missing;
     const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
     if (missing) {
         const char* const named = std::getenv("TMPDIR");
-        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", mend);
+        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", kMend);
     }
     std::string pattern = (parent / "lumi-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Failure(pattern, std::strerror(errno), mend);
+    if (::mkdtemp(pattern.data()) == nullptr)
+        throw Failure(parent.string(), std::string("takes no temporary folder (") + std::strerror(errno) + ")", kMend);
     return pattern;
 }
 
@@ -114,10 +117,17 @@ std::vector<std::string> read_turntable(const std::string& folder)
 std::string show_in_browser(const std::string& name, const std::string& html)
 {
     constexpr char kMend[] = "install a browser and xdg-utils, or write the page to a file with -o view.html";
-    const std::string path = (new_temporary_folder(kMend) / (name + ".html")).string();
-    write_output(path, html);
-    run_program("xdg-open", {path}, kMend);
-    return path;
+    const std::filesystem::path folder = new_temporary_folder();
+    try {
+        const std::string path = (folder / (name + ".html")).string();
+        write_output(path, html);
+        run_program("xdg-open", {path}, kMend);
+        return path;
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder, ignored);
+        throw;
+    }
 }
 
 }  // namespace lumi::tools
