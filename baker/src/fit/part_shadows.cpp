@@ -76,7 +76,26 @@ std::optional<Receiver> receiver_towards(const SceneData& body, const PartMoveme
     return receiver;
 }
 
-// Turns the frame so that u is the direction in which the corners lie most spread.
+// A rectangle of the receiver.
+struct Box {
+    Vec2 low, high;
+
+    Vec2 size() const { return {high.x - low.x, high.y - low.y}; }
+};
+
+Box box_of(const std::vector<Vec3>& corners, const Receiver& receiver)
+{
+    Box box = {{1e9f, 1e9f}, {-1e9f, -1e9f}};
+    for (const Vec3& corner : corners) {
+        const Vec2 p = receiver.of(corner);
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+    }
+    return box;
+}
+
+// Turns the frame so that v is the direction in which the corners lie most spread: what is read beyond a rectangle of
+// texels grows with its columns.
 void turn_along(const std::vector<Vec3>& corners, Receiver& receiver)
 {
     const Frame frame(receiver.normal);
@@ -90,9 +109,13 @@ void turn_along(const std::vector<Vec3>& corners, Receiver& receiver)
         vv += p.y * p.y;
     }
     const float angle = 0.5f * std::atan2(2 * uv, uu - vv);
-    const Vec3 u = receiver.u * std::cos(angle) + receiver.v * std::sin(angle);
-    receiver.v = cross(receiver.normal, u);
-    receiver.u = u;
+    const auto turn_to = [&](const Vec3& u) {
+        receiver.u = u;
+        receiver.v = cross(receiver.normal, u);
+    };
+    turn_to(receiver.u * std::cos(angle) + receiver.v * std::sin(angle));
+    const Vec2 size = box_of(corners, receiver).size();
+    if (size.x > size.y) turn_to(receiver.v);
 }
 
 // A grid of points of the receiver around the part.
@@ -113,25 +136,27 @@ struct Grid {
     }
 };
 
-Grid grid_around(const std::vector<Vec3>& corners, const Receiver& receiver)
+Grid grid_around(const std::vector<Vec3>& corners, const Receiver& receiver, uint32_t most_texels)
 {
     constexpr float kMargin = 2.5f, kCell = 0.4f;  // gaps
-    Vec2 low = {1e9f, 1e9f}, high = {-1e9f, -1e9f};
-    for (const Vec3& corner : corners) {
-        const Vec2 p = receiver.of(corner);
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    constexpr float kCoarser = 1.1f;
+    constexpr uint32_t kFewestCells = 4;
+    static_assert(kFewestCells * kFewestCells <= kFewestShadowTexels);
+    const Box box = box_of(corners, receiver);
     const float margin = kMargin * receiver.gap;
-    const Vec2 size = {high.x - low.x + 2 * margin, high.y - low.y + 2 * margin};
-    const auto cells = [&](float side) {
+    const Vec2 size = {box.size().x + 2 * margin, box.size().y + 2 * margin};
+    const auto cells = [](float side, float cell) {
         return static_cast<uint32_t>(
-            std::clamp(std::ceil(side / (kCell * receiver.gap)), 4.0f, float{detail::format::kMaxPatchSide}));
+            std::clamp(std::ceil(side / cell), float{kFewestCells}, float{detail::format::kMaxPatchSide}));
     };
     Grid grid;
-    grid.columns = cells(size.x);
-    grid.rows = cells(size.y);
-    grid.low = {low.x - margin, low.y - margin};
+    float cell = kCell * receiver.gap;
+    do {
+        grid.columns = cells(size.x, cell);
+        grid.rows = cells(size.y, cell);
+        cell *= kCoarser;
+    } while (grid.size() > most_texels);
+    grid.low = {box.low.x - margin, box.low.y - margin};
     grid.cell = {size.x / static_cast<float>(grid.columns), size.y / static_cast<float>(grid.rows)};
     return grid;
 }
@@ -308,8 +333,8 @@ float mean_light(const std::vector<Shade>& shades)
 class ShadowMaker
 {
 public:
-    ShadowMaker(const SceneData& scene, const SurfaceSettings& settings, Job& job)
-        : scene_(scene), body_(only_of(scene, 0)), settings_(settings), job_(job)
+    ShadowMaker(const SceneData& scene, const SurfaceSettings& settings, uint32_t most_texels, Job& job)
+        : scene_(scene), body_(only_of(scene, 0)), settings_(settings), most_texels_(most_texels), job_(job)
     {
     }
 
@@ -330,7 +355,7 @@ public:
         why = "nothing flat lies across its axis near it";
         if (!receiver) return std::nullopt;
         turn_along(corners, *receiver);
-        const Grid grid = grid_around(corners, *receiver);
+        const Grid grid = grid_around(corners, *receiver, most_texels_);
         const std::vector<Shade> shades =
             ShadowTracer(scene_, *body_, part, *receiver, grid, settings_.seed).traced(job_);
         const Vec2 shift = best_shift(shades, grid, receiver->gap);
@@ -377,6 +402,7 @@ private:
     const SceneData& scene_;
     const std::unique_ptr<SceneData> body_;
     const SurfaceSettings& settings_;
+    const uint32_t most_texels_;
     Job& job_;
 };
 
@@ -395,7 +421,7 @@ PartShadows part_shadows(const SceneData& scene, const PatchMesh& mesh, const Su
     }
     Job job(parts * kUsualTexels * 2 * kShadowPoses * kShadowPaths, settings.threads, progress);
     const JobStage stage(job, Stage::mesh, job.part_of_rest(1), parts * kShadowPoses);
-    ShadowMaker maker(scene, settings, job);
+    ShadowMaker maker(scene, settings, most_shadow_texels(layout_of(mesh, settings.texels_per_radius).texels), job);
     for (uint32_t part = 0; part < parts; ++part) {
         std::string why;
         if (std::optional<PartShadow> shadow = maker.made(part, why))

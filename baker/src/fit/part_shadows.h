@@ -6,6 +6,9 @@
 // it. It is the mean over poses of what the part takes away there.
 #pragma once
 
+#include <algorithm>
+
+#include "fit/fit_shape.h"
 #include "image/tone.h"
 #include "lumi/baker/surface.h"
 #include "lumi/surface/format.h"
@@ -13,6 +16,13 @@
 
 namespace lumi::baker
 {
+
+// A shadow has no more texels than a share of its field's.
+inline constexpr uint32_t kFewestShadowTexels = 16;
+inline uint32_t most_shadow_texels(uint32_t texels_of_field)
+{
+    return std::max(kFewestShadowTexels, texels_of_field / 32);
+}
 
 struct PartShadow {
     uint32_t part = 0;          // of the mesh's parts

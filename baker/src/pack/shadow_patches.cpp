@@ -230,14 +230,15 @@ GroundRoom most_ground_room(float longest_edge, float texels_per_radius)
                 patches * uint64_t{format::kPatchBytes + format::kNeighbourBytes} + texels};
 }
 
-uint64_t most_shadow_bytes(size_t parts)
+uint64_t most_shadow_bytes(size_t parts, uint32_t texels)
 {
     namespace format = detail::format;
-    constexpr uint64_t kSide = format::kMaxPatchSide, kMostTexels = kSide * kSide,
-                       kReach = format::patch_reach(format::kMaxPatchSide);
-    const uint64_t piece = format::kPatchBytes + format::kNeighbourBytes + 2 * format::kVertexBytes;
-    return parts == 0 ? 0
-                      : format::kSeeThroughBytes + kReach + parts * (format::kPartBytes + kMostTexels / 2 + 12 * piece);
+    constexpr uint64_t kPieces = 12, kPiece = format::kPatchBytes + format::kNeighbourBytes + 2 * format::kVertexBytes;
+    const uint32_t most = most_shadow_texels(texels);
+    const auto columns = static_cast<uint32_t>(std::ceil(std::sqrt(most)));  // no more than rows
+    const uint64_t reach = format::patch_reach(std::min(columns, format::kMaxPatchSide));
+    const uint64_t shadow = format::kPartBytes + most + kPieces * kPiece;
+    return parts == 0 ? 0 : format::kSeeThroughBytes + reach + parts * shadow;
 }
 
 }  // namespace lumi::baker

@@ -27,7 +27,7 @@ GroundRoom most_ground_room(float longest_edge, float texels_per_radius);
 // out for which the format has no room, and says so, a sentence each.
 std::vector<std::string> add_shadows(const std::vector<PartShadow>& shadows, FitShape& shape, FieldParts& parts);
 
-// The most bytes that they take of a field with so many parts.
-uint64_t most_shadow_bytes(size_t parts);
+// The most bytes that they take of a field with so many parts and, without them, so many texels.
+uint64_t most_shadow_bytes(size_t parts, uint32_t texels);
 
 }  // namespace lumi::baker

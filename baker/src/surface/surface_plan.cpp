@@ -63,7 +63,7 @@ uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, bool has_gro
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
           patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
         bytes += aligned(section);
-    bytes += aligned(most_shadow_bytes(mesh.parts.size()));
+    bytes += aligned(most_shadow_bytes(mesh.parts.size(), static_cast<uint32_t>(texels)));
     if (has_ground) bytes += aligned(most_ground_room(mesh.longest_edge, texels_per_radius).bytes);
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }

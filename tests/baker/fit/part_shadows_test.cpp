@@ -40,7 +40,9 @@ PartShadows shadows_of(const Scene& scene)
     MeshSettings settings;
     settings.triangles = 200;
     settings.longest_edge = 0.6f;
-    return part_shadows(scene.data(), built_mesh(scene, settings).mesh, tiny_surface(), {});
+    SurfaceSettings surface = tiny_surface();
+    surface.texels_per_radius = 60;
+    return part_shadows(scene.data(), built_mesh(scene, settings).mesh, surface, {});
 }
 
 // At a place of the scene, in its rest.
@@ -81,6 +83,18 @@ TEST_CASE("part shadows: a shadow lies where the light throws it, and turns abou
     for (const float along : {0.0f, 0.1f, 0.2f, 0.25f}) CHECK(at(along - kHandGap + 0.03f, 0) < 120);
     CHECK(at(0.15f, 0.15f) > 240);
     CHECK(at(-0.3f, 0) > 240);
+}
+
+TEST_CASE("part shadows: a shadow takes a share of the field's texels, and reads few beyond them")
+{
+    const PartShadow& s = side_shadow();
+    CHECK(s.columns <= s.rows);
+    CHECK(s.columns * s.rows <= most_shadow_texels(20'000));
+    const Scene scene = lit_from_the_side();
+    MeshSettings settings;
+    settings.triangles = 200;
+    const PartShadows coarse = part_shadows(scene.data(), built_mesh(scene, settings).mesh, tiny_surface(), {});
+    for (const PartShadow& few : coarse.shadows) CHECK(few.columns * few.rows < s.columns * s.rows);
 }
 
 TEST_CASE("part shadows: a border lets all light pass, so that no edge shows")
