@@ -75,6 +75,13 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
     check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
                   "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
     check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");
+    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle=0..9"}, "views of --turntable");
+    const auto view = [&](const std::string& name, const test::Arguments& arguments) {
+        REQUIRE(lumi(joined({"render", field, "-o", folder / name, "--size", "64x64"}, arguments)).code == 0);
+    };
+    view("t.png", {"--orbit", "0,5,3", "--part", "a=b:needle=-20..200", "--turntable", "4"});
+    view("s.png", {"--orbit", "270,5,3", "--part", "a=b:needle=145"});
+    CHECK(test::content_of(folder / "t-003.png") == test::content_of(folder / "s.png"));
 }
 
 TEST_CASE("parts: words that name no part are refused with the way to write it")

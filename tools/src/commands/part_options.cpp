@@ -54,9 +54,8 @@ baker::PartOptions part_of(const std::string& word, PartWords words)
     const auto fail = [&](const std::string& takes) {
         throw CLI::ValidationError("--part", "takes " + takes + ", not \"" + word + "\"");
     };
-    const std::string form = words == PartWords::motion ? "NAME:AXIS or NAME:AXIS@X,Y,Z, for instance second_hand:z"
-                             : words == PartWords::pose
-                                 ? "NAME=DEGREES, for instance second_hand=-90"
+    const std::string form = words == PartWords::motion
+                                 ? "NAME:AXIS or NAME:AXIS@X,Y,Z, for instance second_hand:z"
                                  : "NAME=DEGREES or NAME:AXIS=DEGREES, for instance second_hand=-90";
     baker::PartOptions part;
     std::string text = word;
@@ -64,14 +63,13 @@ baker::PartOptions part_of(const std::string& word, PartWords words)
         std::string name = text;
         const auto behind = take_behind(name, '=');
         const auto value = behind ? number_of(*behind) : std::nullopt;
-        if ((behind && !value && behind->find(':') == std::string::npos) || (!value && words == PartWords::pose))
-            fail(form);
+        if (behind && !value && behind->find(':') == std::string::npos) fail(form);
         if (value) {
             part.value = *value;
             text = name;
         }
     }
-    if (auto axis = words == PartWords::pose ? std::nullopt : take_behind(text, ':')) {
+    if (auto axis = take_behind(text, ':')) {
         if (const auto pivot = take_behind(*axis, '@')) {
             part.pivot = vector_of(*pivot);
             if (!part.pivot) fail("a pivot X,Y,Z of three numbers behind @");
@@ -84,30 +82,58 @@ baker::PartOptions part_of(const std::string& word, PartWords words)
     return part;
 }
 
-}  // namespace
-
-void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartWords words)
+PartPose part_pose_of(const std::string& word)
 {
-    const std::string all =
-        "A part that turns, by the name of its object, group or node. AXIS is x, y or z of a glTF node, or three "
-        "numbers; @X,Y,Z is a point of it, needed where files have no nodes";
+    PartPose pose = {word};
+    const std::string values = take_behind(pose.name, '=').value_or("");
+    const size_t dots = values.find("..");
+    const auto from = number_of(values.substr(0, dots));
+    const auto to = dots == std::string::npos ? from : number_of(values.substr(dots + 2));
+    if (pose.name.empty() || !from || !to)
+        throw CLI::ValidationError(
+            "--part", "takes NAME=DEGREES, for instance second_hand=-90, or NAME=FROM..TO, not \"" + word + "\"");
+    pose.from = *from;
+    pose.to = *to;
+    return pose;
+}
+
+template <class Value, class Read>
+void add_option(CLI::App& command, std::vector<Value>& values, const Read& read, const char* help, const char* form)
+{
     command
         .add_option_function<std::vector<std::string>>(
             "--part",
-            [&parts, words](const std::vector<std::string>& texts) {
-                for (const std::string& text : texts) parts.push_back(part_of(text, words));
+            [&values, read](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) values.push_back(read(text));
             },
-            words == PartWords::motion ? all
-            : words == PartWords::pose ? "Turn a part to this angle, or slide it so far in the scene's units [at rest]"
-                                       : "A part that turns, as in lumi bake, and its pose [at rest]")
-        ->type_name(words == PartWords::motion ? "NAME:AXIS"
-                    : words == PartWords::pose ? "NAME=DEGREES"
-                                               : "NAME:AXIS=DEGREES")
+            help)
+        ->type_name(form)
         ->expected(1)
         ->take_all();
 }
 
-std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, const FieldFile& field)
+}  // namespace
+
+void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartWords words)
+{
+    const bool has_pose = words == PartWords::motion_and_pose;
+    add_option(
+        command, parts, [words](const std::string& text) { return part_of(text, words); },
+        has_pose ? "A part that turns, as in lumi bake, and its pose [at rest]"
+                 : "A part that turns, by the name of its object, group or node. AXIS is x, y or z of a glTF node, or "
+                   "three numbers; @X,Y,Z is a point of it, needed where files have no nodes",
+        has_pose ? "NAME:AXIS=DEGREES" : "NAME:AXIS");
+}
+
+void add_pose_option(CLI::App& command, std::vector<PartPose>& poses)
+{
+    add_option(command, poses, part_pose_of,
+               "Turn a part to this angle, or slide it so far in the scene's units [at rest]; FROM..TO moves it over "
+               "the views of a turntable",
+               "NAME=DEGREES");
+}
+
+std::vector<PartValue> values_of(const std::vector<PartPose>& poses, const FieldFile& field, double done)
 {
     constexpr double kTurn = 360;
     std::vector<std::string> names;
@@ -116,7 +142,7 @@ std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, c
         names.emplace_back(name.text, name.bytes);
     }
     std::vector<PartValue> values;
-    for (const baker::PartOptions& part : parts) {
+    for (const PartPose& part : poses) {
         const auto found = std::find(names.begin(), names.end(), part.name);
         if (found == names.end()) {
             std::string list;
@@ -125,8 +151,9 @@ std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, c
                           names.empty() ? "nothing in it moves; bake it with --part" : "choose among: " + list);
         }
         const auto number = static_cast<uint32_t>(found - names.begin());
-        const double offset = part.value / static_cast<double>(field.sphere().radius),
-                     turns = std::remainder(part.value / kTurn, 1);
+        const double pose = part.from + (part.to - part.from) * done;
+        const double offset = pose / static_cast<double>(field.sphere().radius),
+                     turns = std::remainder(pose / kTurn, 1);
         const double value = part_motion(field.surface(), number).slides ? offset * kOneQ20 : turns * 0x1p32;
         values.push_back({number, static_cast<uint32_t>(std::llround(std::clamp(value, -0x1p31, 0x1p31)))});
     }

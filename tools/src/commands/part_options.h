@@ -13,14 +13,17 @@
 namespace lumi::tools
 {
 
-// What an option says of a part: how it moves, also its pose, or that alone.
-enum class PartWords : uint8_t { motion, motion_and_pose, pose };
+// What an option says of a part: how it moves, or also its pose.
+enum class PartWords : uint8_t { motion, motion_and_pose };
 
 // Adds --part NAME:AXIS[@X,Y,Z], with =VALUE where a pose may be given; NAME=VALUE is one of a part that is known. Of
 // names that hold ':' or '=' the last counts.
 void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartWords words);
 
-// The poses of a field's own parts. Throws Failure where it has no part of a name.
-std::vector<PartValue> values_of(const std::vector<baker::PartOptions>& parts, const FieldFile& field);
+// Adds --part NAME=VALUE, or NAME=FROM..TO for the views of a turntable.
+void add_pose_option(CLI::App& command, std::vector<PartPose>& poses);
+
+// The poses of a field's own parts in a view; `done` is Eye::done. Throws Failure where it has no part of a name.
+std::vector<PartValue> values_of(const std::vector<PartPose>& poses, const FieldFile& field, double done = 0);
 
 }  // namespace lumi::tools

@@ -53,8 +53,9 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     if (options.drawing.span_px > 1) refuse(options, "--span", "chord");
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     const DisplayFormat display = options.drawing.display;
-    return [&file, mode, display, parts = values_of(options.parts, file)](const Eye& eye, const Rgb8& background) {
-        return draw_surface(file.surface(), eye, {mode, display, background, parts});
+    values_of(options.parts, file);  // refuses wrong names before the first view
+    return [&file, mode, display, poses = options.parts](const Eye& eye, const Rgb8& background) {
+        return draw_surface(file.surface(), eye, {mode, display, background, values_of(poses, file, eye.done)});
     };
 }
 
@@ -151,7 +152,7 @@ void add_render(CLI::App& lumi)
     add_picture_output(*command, options->output, "OUT.png|OUT.webp", wrong_views_name);
     add_camera_options(*command, options->views, "gradient");
     add_drawing_options(*command, *options);
-    add_part_option(*command, options->parts, PartWords::pose);
+    add_pose_option(*command, options->parts);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());
@@ -166,6 +167,9 @@ void add_render(CLI::App& lumi)
         if (options->views.background.kind == Background::Kind::none &&
             options->drawing.display != DisplayFormat::rgb888)
             throw UsageError("--background none draws with --pixel rgb888 only: a display shows no alpha");
+        for (const PartPose& part : options->parts)
+            if (part.from != part.to && options->views.turntable == 0)
+                throw UsageError("--part " + part.name + "=FROM..TO moves over the views of --turntable; give it, too");
         run(*options, stages);
     });
 }

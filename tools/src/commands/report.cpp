@@ -76,11 +76,12 @@ trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role rol
     return files;
 }
 
-std::vector<baker::PartOptions> posed(std::vector<baker::PartOptions> parts)
+std::vector<PartPose> posed(const std::vector<baker::PartOptions>& parts)
 {
-    const auto rests = [](const baker::PartOptions& part) { return part.value == 0; };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), rests), parts.end());
-    return parts;
+    std::vector<PartPose> poses;
+    for (const baker::PartOptions& part : parts)
+        if (part.value != 0) poses.push_back({part.name, part.value, part.value});
+    return poses;
 }
 
 quality::ReportData report_of(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)

@@ -2,6 +2,9 @@
 // Draws a surface field as firmware does: by core, stripe by stripe, in a display's pixel format.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "draw/draw.h"
 #include "draw/views.h"
 #include "image/picture.h"
@@ -13,6 +16,12 @@ namespace lumi::tools
 // A moving part in a pose: turns times 2^32, or the offset of one that slides, Q20.
 struct PartValue {
     uint32_t part, value;
+};
+
+// People say so of a part: degrees, or scene units; from the first view of a turntable up to the next round.
+struct PartPose {
+    std::string name;
+    double from = 0, to = 0;
 };
 
 struct SurfaceDrawSettings {

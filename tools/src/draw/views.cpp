@@ -80,6 +80,7 @@ std::vector<View> all_views(const ViewOptions& options, const std::string& outpu
         host::Orbit orbit = options.orbit;
         orbit.azimuth_deg += 360.0 * i / count;
         views.push_back({options.turntable > 0 ? numbered(output, i) : output, eye_at(host::make_pose(orbit), image)});
+        views.back().eye.done = static_cast<double>(i) / count;
     }
     return views;
 }

@@ -40,6 +40,7 @@ struct Eye {
     Pose pose;
     Image image;
     Camera camera;
+    double done = 0;  // how much of a turntable comes before this view, below 1
 };
 
 // Draws what one camera sees over that colour, width_px × height_px pixels.

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "draw/draw.h"
+#include "draw/draw_surface.h"
 #include "draw/views.h"
 #include "files/field_file.h"
-#include "lumi/baker/scene.h"
 
 namespace lumi::tools
 {
@@ -20,7 +20,7 @@ struct RenderOptions {
     ViewOptions views;
     std::string mode = "best";
     DrawSettings drawing;  // its mode is that of a chord field
-    std::vector<baker::PartOptions> parts;
+    std::vector<PartPose> parts;
 };
 
 // Changes pictures after they are drawn, where its options ask for it.
