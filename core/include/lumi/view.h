@@ -215,6 +215,12 @@ public:
         return has_look_ ? state_.changed(align_x, align_y) : Changed{};
     }
 
+    // Returns the most rows that a surface field's stripe of this width may have in the mode of the last look(): with
+    // the pixels of the screen's stripe, and its memory. Narrow rectangles are drawn fastest in few stripes. 1 <=
+    // width_px
+    // <= the image's.
+    int32_t rows_at(int32_t width_px) const { return state_.rows_at(width_px); }
+
     // Draws every pixel of the stripe over black, or over another background (background.h), which also fills what of
     // the stripe lies beside the image.
     ViewError draw(const Stripe& stripe) { return draw(stripe, OverBlack{}); }

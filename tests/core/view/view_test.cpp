@@ -367,6 +367,28 @@ TEST_CASE("a stripe that cannot be drawn is refused by name")
     CHECK(drawn_with([](Stripe& s) { s.height_px = kRows + 1; }) == ViewError::stripe_too_large);
 }
 
+TEST_CASE("a stripe of every width has as many rows as pixels and memory allow")
+{
+    static BallView<PixelRgb565> view;
+    const Bytes bytes = ball();
+    alignas(4) static uint8_t pixels[BallView<PixelRgb565>::kStripeBytes];
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    for (const SurfaceMode mode : {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two}) {
+        REQUIRE(view.look(kOrbit, mode) == ViewError::none);
+        for (int32_t width = 1; width <= kWidth; ++width) {
+            const int32_t rows = view.rows_at(width);
+            const auto stride = static_cast<uint32_t>(2 * width);
+            INFO(width << " x " << rows);
+            REQUIRE(rows >= std::min(kRows, kHeight));
+            REQUIRE(rows * width * 2 <= static_cast<int32_t>(sizeof pixels));
+            CHECK(view.draw({pixels, kWidth - width, 0, width, rows, stride}) == ViewError::none);
+            const bool is_most = rows == kHeight || (rows + 1) * width * 2 > static_cast<int32_t>(sizeof pixels);
+            if (!is_most)
+                CHECK(view.draw({pixels, 0, 0, width, rows + 1, stride}) == ViewError::stripe_too_large);
+        }
+    }
+}
+
 namespace
 {
 

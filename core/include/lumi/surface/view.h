@@ -121,6 +121,16 @@ struct SurfaceDrawing {
             return changed_rects(frame_, align_x, align_y);
         }
 
+        int32_t rows_at(int32_t width_px) const
+        {
+            using Pixel = typename ScreenOf::Pixel;
+            const auto most =
+                static_cast<int32_t>(ScreenOf::kStripeBytes / (static_cast<uint32_t>(width_px) * Pixel::kBytes));
+            int32_t rows = most < ScreenOf::kHeightPx ? most : ScreenOf::kHeightPx;
+            while (surface_stripe_bytes<Pixel>(width_px, rows, frame_.mode) > kSampleBytes<ScreenOf>) --rows;
+            return rows;
+        }
+
         template <class Background>
         ViewError draw(const Stripe& stripe, const detail::PixelSize& part, const Background& background,
                        uint32_t* samples) const
