@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lumi/orbit.h>
+#include <lumi/stripe.h>
 #include <stdint.h>
 
 namespace board
@@ -14,6 +15,13 @@ bool next_view(lumi::Orbit& orbit);
 // Sends pixels to the display, in its own format and order. May return before they are sent; then it waits for those of
 // the call before, so two stripes in turn are enough.
 void send(const uint8_t* pixels, uint32_t bytes);
+
+// Only where clocks run. Waits for a new second since midnight, or for a new view, and tells both; false: the program
+// ends. Nobody has set a board's clock: it starts at kFirstSecond.
+bool next_second(lumi::Orbit& orbit, uint32_t& second);
+// What is sent next are the pixels of this rectangle, row by row.
+void begin(const lumi::PixelRect& rect);
+constexpr uint32_t kFirstSecond = (10 * 60 + 8) * 60 + 57;
 
 // The frames that every example draws, where nobody turns the object: tools/lab/devices.sh compares their pictures.
 constexpr int kFrames = 2;

@@ -37,9 +37,9 @@ void command(Command code, uint8_t value)
     bus::put(value);
 }
 
-void set_range(Command code, uint8_t last)
+void set_range(Command code, int32_t first, int32_t count)
 {
-    const uint8_t bytes[] = {0, 0, 0, last};
+    const uint8_t bytes[] = {0, static_cast<uint8_t>(first), 0, static_cast<uint8_t>(first + count - 1)};
     command(code);
     for (const uint8_t byte : bytes) bus::put(byte);
 }
@@ -56,23 +56,37 @@ void start_panel()
     command(kPixelFormat, 0x55);  // 16 bits
     command(kScanOrder, 0);
     command(kInvert);
-    set_range(kColumns, 239);
-    set_range(kRows, 239);
+    set_range(kColumns, 0, 240);
+    set_range(kRows, 0, 240);
     command(kDisplayOn);
 }
 
 int frame = -1;
-uint32_t begin;
+uint32_t begin_us, sent_bytes;
+
+void begin_frame()
+{
+    begin_us = rp2040::microseconds();
+    sent_bytes = 0;
+}
 
 void end_frame()
 {
     bus::wait();
-    const uint32_t spent = rp2040::microseconds() - begin;
+    const uint32_t spent = rp2040::microseconds() - begin_us;
     lumi::firmware::TextLine line;
     line.text("frame ").decimal(static_cast<uint32_t>(frame)).text(" microseconds ").decimal(spent);
     line.text(" stack ").decimal(used_stack_bytes());
+    line.text(" bytes ").decimal(sent_bytes);
     add_report(line);
     rp2040::write(line.text("\n").c_str());
+}
+
+void start_or_end_frame()
+{
+    if (frame >= 0) return end_frame();
+    rp2040::start_clocks();
+    start_panel();
 }
 
 }  // namespace
@@ -81,21 +95,38 @@ __attribute__((weak)) void add_report(lumi::firmware::TextLine&) {}
 
 bool board::next_view(lumi::Orbit& orbit)
 {
-    if (frame < 0) {
-        rp2040::start_clocks();
-        start_panel();
-    } else {
-        end_frame();
-    }
+    start_or_end_frame();
     if (++frame == kFrames) return false;
     orbit = view_of_frame(frame);
-    begin = rp2040::microseconds();
+    begin_frame();
     command(kWritePixels);
     return true;
 }
 
+bool board::next_second(lumi::Orbit& orbit, uint32_t& second)
+{
+    constexpr uint32_t kSecond = 1000000;
+    static uint32_t due_us;
+    start_or_end_frame();
+    due_us = ++frame == 0 ? rp2040::microseconds() : due_us + kSecond;
+    const auto early_us = static_cast<int32_t>(due_us - rp2040::microseconds());
+    if (early_us > 0) rp2040::wait_microseconds(static_cast<uint32_t>(early_us));
+    orbit = view_of_frame(0);
+    second = kFirstSecond + static_cast<uint32_t>(frame);
+    begin_frame();
+    return true;
+}
+
+void board::begin(const lumi::PixelRect& rect)
+{
+    set_range(kColumns, rect.x_px, rect.width_px);
+    set_range(kRows, rect.y_px, rect.height_px);
+    command(kWritePixels);
+}
+
 void board::send(const uint8_t* pixels, uint32_t bytes)
 {
+    sent_bytes += bytes;
     bus::send(pixels, bytes);
 }
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <vector>
 
@@ -21,7 +22,8 @@ using lumi::PixelRgb565Swapped;
 using simulator::options;
 
 std::vector<uint8_t> display;
-size_t sent;
+lumi::PixelRect target;  // of what is sent
+size_t sent, expected;   // bytes of the target
 uint32_t frame_begin_ms;
 int frame = -1;
 lumi::Orbit current;
@@ -68,7 +70,7 @@ void show_frame()
 }
 
 // The next view; false: that was the last.
-bool turn()
+bool turn(int most_ms = -1)
 {
     const bool is_test = options.drag_x != 0 || options.drag_y != 0;
     if (!options.window) {
@@ -78,16 +80,20 @@ bool turn()
     }
     if (is_test && frame > 0) return false;
     if (is_test) simulator::drag(options.drag_x, options.drag_y);
-    return simulator::wait_for_turn(current);
+    return simulator::wait_for_turn(current, most_ms);
 }
 
-bool end_frame()
+void check_sent()
 {
-    if (sent != display.size()) fail("a frame has " + std::to_string(sent) + " bytes");
+    if (sent != expected) fail("of " + std::to_string(expected) + " bytes " + std::to_string(sent) + " were sent");
+}
+
+void end_frame()
+{
+    check_sent();
     if (options.is_round) cut_to_disc();
     if (!options.folder.empty()) write_frame();
     if (options.window) show_frame();
-    return turn();
 }
 
 void begin()
@@ -97,24 +103,74 @@ void begin()
     current = board::view_of_frame(0);
 }
 
+void begin_frame(lumi::Orbit& orbit)
+{
+    ++frame;
+    sent = expected = 0;
+    if (options.window) frame_begin_ms = simulator::milliseconds();
+    orbit = current;
+}
+
+// What the computer's clock says, and the milliseconds until it says something else.
+struct Now {
+    uint32_t second;
+    int left_ms;
+};
+Now now()
+{
+    timespec time = {};
+    timespec_get(&time, TIME_UTC);
+    const tm local = *std::localtime(&time.tv_sec);
+    return {static_cast<uint32_t>((local.tm_hour * 60 + local.tm_min) * 60 + local.tm_sec),
+            static_cast<int>(1000 - time.tv_nsec / 1000000)};
+}
+
 }  // namespace
 
 bool board::next_view(lumi::Orbit& orbit)
 {
     if (frame < 0)
-        begin();
-    else if (!end_frame())
+        ::begin();
+    else if (end_frame(); !turn())
         return false;
-    ++frame;
-    sent = 0;
-    if (options.window) frame_begin_ms = simulator::milliseconds();
-    orbit = current;
+    begin_frame(orbit);
+    begin({0, 0, options.width_px, options.height_px});
     return true;
+}
+
+bool board::next_second(lumi::Orbit& orbit, uint32_t& second)
+{
+    if (frame < 0)
+        ::begin();
+    else if (end_frame(); !turn(now().left_ms))
+        return false;
+    if (!options.window) current = view_of_frame(0);
+    begin_frame(orbit);
+    second = options.window ? now().second : kFirstSecond + static_cast<uint32_t>(frame);
+    return true;
+}
+
+void board::begin(const lumi::PixelRect& rect)
+{
+    check_sent();
+    target = rect;
+    sent = 0;
+    expected = size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(rect.width_px * rect.height_px);
 }
 
 void board::send(const uint8_t* pixels, uint32_t bytes)
 {
-    if (bytes > display.size() - sent) fail("a frame has more bytes than the display");
-    std::memcpy(display.data() + sent, pixels, bytes);
-    sent += bytes;
+    if (bytes > expected - sent) fail("more bytes were sent than a rectangle has");
+    const size_t row = size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(target.width_px);
+    for (const uint8_t* const end = pixels + bytes; pixels != end;) {
+        const size_t run = std::min(row - sent % row, static_cast<size_t>(end - pixels));
+        const size_t first = static_cast<size_t>(target.y_px) + sent / row;
+        std::memcpy(display.data() +
+                        (first * static_cast<size_t>(options.width_px) + static_cast<size_t>(target.x_px)) *
+                            PixelRgb565Swapped::kBytes +
+                        sent % row,
+                    pixels, run);
+        pixels += run;
+        sent += run;
+    }
 }

@@ -36,8 +36,8 @@ std::string size_names();
 void open_window();
 // Shows RGB565 in the CPU's order.
 void show(const uint16_t* pixels);
-// Waits until somebody turns the object; false: the window was closed.
-bool wait_for_turn(lumi::Orbit& orbit);
+// Waits until somebody turns the object, or so many milliseconds, -1 for ever; false: the window was closed.
+bool wait_for_turn(lumi::Orbit& orbit, int most_ms = -1);
 // Drags the mouse, for tests.
 void drag(int x_px, int y_px);
 void wait_milliseconds(uint32_t count);

@@ -63,11 +63,14 @@ void show(const uint16_t* pixels)
     SDL_RenderPresent(renderer);
 }
 
-bool wait_for_turn(lumi::Orbit& orbit)
+bool wait_for_turn(lumi::Orbit& orbit, int most_ms)
 {
     SDL_Event event;
     bool is_turned = false;
-    while (!is_turned && SDL_WaitEvent(&event) != 0) {
+    const uint32_t begin_ms = SDL_GetTicks();
+    while (!is_turned) {
+        const int left_ms = most_ms < 0 ? -1 : std::max(0, most_ms - static_cast<int>(SDL_GetTicks() - begin_ms));
+        if (SDL_WaitEventTimeout(&event, left_ms) == 0) return most_ms >= 0;
         do {  // all that have come
             if (event.type == SDL_QUIT) return false;
             if (event.type == SDL_KEYDOWN && event.key.keysym.sym == SDLK_ESCAPE) return false;

@@ -10,12 +10,13 @@ if(NOT LUMI_TEST_ALL)
 endif()
 add_test(NAME devices.field COMMAND ${lumi_devices} --only field)
 set_tests_properties(devices.field PROPERTIES FIXTURES_SETUP lumi_device_field COST 300)
-foreach(example riscv lm3s_oled pico_st7789 simulator overlay)
+foreach(example riscv lm3s_oled pico_st7789 simulator overlay clock)
   add_test(NAME devices.${example} COMMAND ${lumi_devices} --only ${example})
   set_tests_properties(devices.${example} PROPERTIES FIXTURES_REQUIRED lumi_device_field SKIP_RETURN_CODE 77
     COST 200 TIMEOUT 600)
 endforeach()
 set_tests_properties(devices.overlay PROPERTIES DEPENDS "devices.riscv;devices.simulator")  # which build its programs
+set_tests_properties(devices.clock PROPERTIES DEPENDS "devices.pico_st7789;devices.overlay")  # likewise
 
 # RAM and stack that docs/firmware.md states for README's firmware, measured.
 set(lumi_memory_cpus ${LUMI_MEMORY_CPUS})

@@ -7,7 +7,7 @@
 # nothing was left out but LVGL, the Pico SDK, TFT_eSPI and LovyanGFX, of which it says so.
 #   --docs          writes the table and the pictures of platform/README.md
 #   --only EXAMPLE  one of them: field (bakes what they draw), riscv, lm3s_oled, pico_st7789, simulator, overlay, lvgl,
-#                   pico_sdk, pico_measure, tft_espi, lovyangfx, table (of what was run last)
+#                   clock, pico_sdk, pico_measure, tft_espi, lovyangfx, table (of what was run last)
 #   --lvgl PATH     a source tree of LVGL 9, which nothing fetches; without it platform/lvgl is left out
 #   --pico-sdk PATH the Pico SDK: platform/pico_st7789 is built against it, too, and run, and so is platform/measure/pico
 #   --tft-espi PATH, --lovyangfx PATH  these libraries for Arduino: their headers take the calls of our sketches
@@ -23,8 +23,9 @@ source "$root/tools/lab/devices/table.sh"
 devices=$root/build/devices
 lumi=$root/build/release/tools/lumi
 field=$devices/desk_clock.lumi
+clock=$devices/running_clock.lumi
 declare -A sources_of=([pico_sdk]=pico_st7789 [pico_measure]=measure/pico)  # where the folder has another name
-examples=(riscv lm3s_oled pico_st7789 simulator overlay)
+examples=(riscv lm3s_oled pico_st7789 simulator overlay clock)
 lvgl='' pico_sdk='' tft_espi='' lovyangfx='' only='' built='' may_skip='' docs=''
 frames=2
 npm_folder=$root/build/npm
@@ -68,6 +69,12 @@ bake_field() {
   mkdir -p "$devices"
   "$lumi" bake "$root/baker/scenes/product.obj" -o "$field" --triangles 1200 --longest-edge 0.5 --texel-density 44 \
     --paths "${1:-20}" --restart
+}
+
+# The same clock with hands that move, coarse: tests compare pictures.
+bake_clock() {
+  "$lumi" bake "$root/baker/scenes/clock.json" -o "$clock" --triangles 700 --longest-edge 0.5 --texel-density 20 --paths 2 \
+    --restart
 }
 
 # build EXAMPLE TOOLCHAIN [OPTION...]: a project of its own, as a user would have it.
@@ -250,6 +257,30 @@ run_overlay() {
   "$devices/simulator/build/lumi_simulator_overlay" --frames "$folder/host"
   for ((frame = 0; frame < frames; ++frame)); do
     check overlay rgb565-swapped 240x240 "$frame" "$folder/host/frame-$frame.png" png
+  done
+}
+
+# A clock's first seconds, each on what the second before left on the display: on an emulated Pico and on the host.
+run_clock() {
+  require_rp2040js clock
+  require_simulator clock
+  mkdir -p "$devices/clock/host" "$devices/pico_st7789" "$devices/simulator"
+  bake_clock
+  build pico_st7789 cortex-m0plus -DPICO_SDK_PATH= -DLUMI_CLOCK_FIELD="$clock"
+  build simulator host -DLUMI_CLOCK_FIELD="$clock"
+  local folder=$devices/clock frame second
+  NODE_PATH=$npm_folder/node_modules node "$root/tools/lab/devices/pico/run.cjs" \
+    "$devices/pico_st7789/build/lumi_pico_clock.bin" "$folder" --frames 4 | tee "$folder/log"
+  "$devices/simulator/build/lumi_simulator_clock" --frames "$folder/host"
+  for ((frame = 0; frame < 4; ++frame)); do
+    second=$((36537 + frame))  # board.h's kFirstSecond
+    "$lumi" render "$clock" -o "$folder/expected-$frame.png" --size 240x240 --orbit 30,20,3 --mode antialiased \
+      --pixel rgb565 --background black --part second_hand=$((second % 60 * 6)) \
+      --part minute_hand=$((second / 10 % 360)) --part "hour_hand=$(awk "BEGIN { print int($second / 60) / 2 }")" >/dev/null
+    check clock rgb565-swapped 240x240 "$frame" "$folder/expected-$frame.png"
+  done
+  for ((frame = 0; frame < frames; ++frame)); do
+    check clock png 240x240 "$frame" "$folder/host/frame-$frame.png"
   done
 }
 

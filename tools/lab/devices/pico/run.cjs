@@ -1,12 +1,12 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: MIT
-// run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES]
+// run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES] [--frames COUNT]
 // Runs platform/pico_st7789 in rp2040js, an emulator of the RP2040 in JavaScript, from the second stage of its boot on.
 // The emulator lacks three things, which lie beside this file: the second core, the boot ROM's functions, and the
 // display behind SPI0.
 // Prints the lines of UART0 and writes what the panel shows at each that says "frame ...", FOLDER/frame-0.raw, ...,
 // 240 x 240 pixels of 16 bits, high byte first. --flash-misses adds the flash's cache. Ends with the program's "exit"
-// code, with 0 after so many lines of JSON, which it prints, or with 1 after 20 seconds of the board's time.
+// code, with 0 after so many frames, or lines of JSON, which it prints, or with 1 after 20 seconds of the board's time.
 'use strict';
 const fs = require('fs');
 const path = require('path');
@@ -51,9 +51,13 @@ function boot(chip, program) {
 
 function main() {
   const [file, folder, ...options] = process.argv.slice(2);
-  const json = options.indexOf('--json'), wanted = json < 0 ? 0 : Number(options.splice(json, 2)[1]);
-  if (!folder || Number.isNaN(wanted) || options.some((option) => option !== '--flash-misses')) {
-    console.error('run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES]');
+  const count = (name) => {
+    const at = options.indexOf(name);
+    return at < 0 ? 0 : Number(options.splice(at, 2)[1]);
+  };
+  const wanted = count('--json'), frames = count('--frames');
+  if (!folder || Number.isNaN(wanted + frames) || options.some((option) => option !== '--flash-misses')) {
+    console.error('run.cjs PROGRAM.bin FOLDER [--flash-misses] [--json LINES] [--frames COUNT]');
     process.exit(2);
   }
   const hasMisses = options.length > 0;
@@ -92,6 +96,7 @@ function main() {
       fs.writeFileSync(path.join(folder, `frame-${words[1]}.raw`), panel.picture());
       console.log(line + (hasMisses ? ` misses ${cache.misses - missesBefore}` : ''));
       missesBefore = cache.misses;
+      if (Number(words[1]) + 1 === frames) code = 0;
     }
     line = '';
   };
