@@ -79,14 +79,14 @@ def check_manifest(library):
             sys.exit(f"error: keywords.txt: {word} is no name of the library")
 
 
-def check_picture(shop, name, pixels):
+def check_picture(shop, name, pixels, field=None, orbit="30,20,3", parts=()):
     if len(pixels) != FRAMES * FRAME_BYTES:
         sys.exit(f"error: {name}: {len(pixels)} bytes reached the display, not {FRAMES} frames")
     frame, expected = shop.folder / f"{name}.raw", shop.folder / "expected.png"
     frame.write_bytes(pixels[:FRAME_BYTES])
     size = f"{SIDE}x{SIDE}"
-    for command in ([shop.lumi, "render", shop.field, "-o", expected, "--size", size, "--orbit", "30,20,3", "--mode",
-                     "antialiased", "--pixel", "rgb565", "--background", "black"],
+    for command in ([shop.lumi, "render", field or shop.field, "-o", expected, "--size", size, "--orbit", orbit, "--mode",
+                     "antialiased", "--pixel", "rgb565", "--background", "black", *parts],
                     [sys.executable, "-B", ROOT / "tools/lab/devices/picture.py", "rgb565-swapped", size, frame,
                      "--same-as", expected, "png"]):
         result = subprocess.run([str(c) for c in command], capture_output=True, text=True)
@@ -105,6 +105,26 @@ def displays(shop):
         frames.append(pixels)
     if frames[0] != frames[1] or frames[0][:FRAME_BYTES] == frames[0][FRAME_BYTES:]:
         sys.exit("error: the sketches draw different frames, or the object does not turn")
+
+
+def embed(shop, field):
+    command = [shop.lumi, "embed", field, "-o", shop.sketch.parent / "product.c"]
+    subprocess.run([str(c) for c in command], check=True, stdout=subprocess.DEVNULL)
+
+
+def running_clock(shop):
+    """The sketch with another field's parts: what is on the display after a tick is a whole picture of the new pose."""
+    name, second = "RunningClockTFT_eSPI", (10 * 60 + 8) * 60 + 1
+    moving = shop.field.parent / "moving.lumi"
+    embed(shop, moving)
+    text = shop.example(name).replace("<lumi_fields/running_clock.h>", '"product.h"').replace("running_clock", "product")
+    for hand, part in (("second_hand", "moon"), ("minute_hand", "knob"), ("hour_hand", "knob")):
+        text = text.replace(hand, part)
+    pixels, said = shop.run(name, text)
+    if said != "no error\n":
+        sys.exit(f"error: {name}: the serial port says\n{said}")
+    check_picture(shop, name, pixels[FRAME_BYTES:] + pixels[:FRAME_BYTES], moving, "15,10,3",
+                  ["--part", f"moon={second % 60 * 6}", "--part", f"knob={second // 60 / 2}"])
 
 
 def serial(shop):
@@ -132,8 +152,7 @@ def measures(shop):
 
 def own_field(shop):
     """A field of the user's beside the sketch, as the library's README has it."""
-    command = [shop.lumi, "embed", shop.field, "-o", shop.sketch.parent / "product.c"]
-    subprocess.run([str(c) for c in command], check=True, stdout=subprocess.DEVNULL)
+    embed(shop, shop.field)
     text = shop.example("DeskClockSerial").replace("<lumi_fields/desk_clock.h>", '"product.h"')
     _, said = shop.run("own field", text.replace("desk_clock", "product"))
     if said.count("no error") != FRAMES + 1:
@@ -162,6 +181,7 @@ def main(arguments):
     check_manifest(shop.library)
     old_cpp(shop)
     displays(shop)
+    running_clock(shop)
     serial(shop)
     measures(shop)
     own_field(shop)

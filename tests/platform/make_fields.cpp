@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/rgb888.lumi and so on,
-// and surface fields, FOLDER/surface.lumi and FOLDER/sheet.lumi.
+// and surface fields, FOLDER/surface.lumi, FOLDER/sheet.lumi and, with parts that move, FOLDER/moving.lumi.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "chord/field_writer.h"
 #include "lumi/chord/texel.h"
+#include "surface/parts_bytes.h"
 #include "surface/surface_bytes.h"
 #include "synthetic_ray.h"
 
@@ -82,6 +83,9 @@ int main(int argc, char** argv)
             write(texel, seen, folder / (std::string(texel_name(texel)) + ".lumi"));
         write_surface(test::bumpy_ball(), folder / "surface.lumi");
         write_surface(test::wavy_sheet(), folder / "sheet.lumi");
+        baker::NewFile moving(folder / "moving.lumi");
+        moving.append(test::mover_file(test::shaded_ball(0)));
+        moving.commit();
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
         return 1;

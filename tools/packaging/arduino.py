@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The Arduino library, for release.py: core's sources and headers, what platform/arduino adds, and the field that its
-sketches draw, as an array in C."""
+"""The Arduino library, for release.py: core's sources and headers, what platform/arduino adds, and the fields that its
+sketches draw, as arrays in C."""
 import pathlib
 import subprocess
 import sys
@@ -8,10 +8,9 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ADDED = ROOT / "platform/arduino"
-SCENE = ROOT / "baker/scenes/product.obj"
 # A board with 256 kB of flash has room for it. Its view of 240 x 240 pixels by 8 rows takes 25 kB of RAM.
 BAKE = ["--fit", "60kB"]
-FIELD = "desk_clock"
+SCENES = {"desk_clock": ROOT / "baker/scenes/product.obj", "running_clock": ROOT / "baker/scenes/clock.json"}
 FIELDS = "src/lumi_fields/"
 
 
@@ -22,19 +21,21 @@ def run(command):
 
 
 def field_files(lumi, field):
-    """The array and the header of the field: `field`, or if that is None the desk clock, baked."""
+    """The arrays and headers of the fields: `field` by each name, or if that is None the clocks, baked."""
     if not lumi.is_file():
         sys.exit(f"error: {lumi}: the lumi command embeds the field of Arduino's sketches; build it (cmake --preset "
                  "release && cmake --build --preset release) or name it by --lumi")
+    files = {}
     with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        baked = folder / f"{FIELD}.lumi"  # whose name the header holds
-        if field is None:
-            run([lumi, "bake", SCENE, "-o", baked, *BAKE])
-        else:
-            baked.write_bytes(field.read_bytes())
-        run([lumi, "embed", baked, "-o", folder / f"{FIELD}.c"])
-        return {FIELDS + name: (folder / name).read_bytes() for name in (f"{FIELD}.c", f"{FIELD}.h")}
+        for name, scene in SCENES.items():
+            baked = pathlib.Path(folder) / f"{name}.lumi"  # whose name the header holds
+            if field is None:
+                run([lumi, "bake", scene, "-o", baked, *BAKE])
+            else:
+                baked.write_bytes(field.read_bytes())
+            run([lumi, "embed", baked, "-o", baked.with_suffix(".c")])
+            files |= {f"{FIELDS}{name}{end}": baked.with_suffix(end).read_bytes() for end in (".c", ".h")}
+    return files
 
 
 def library(core, added, words, fields):

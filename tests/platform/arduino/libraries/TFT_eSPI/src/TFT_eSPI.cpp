@@ -3,8 +3,10 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static constexpr int32_t kSide = 240;
+static uint16_t screen[kSide][kSide];
 
 void TFT_eSPI::init(uint8_t)
 {
@@ -20,10 +22,14 @@ void TFT_eSPI::fillScreen(uint32_t) {}
 
 void TFT_eSPI::pushImage(int32_t x, int32_t y, int32_t w, int32_t h, uint16_t* data)
 {
-    if (!is_ready_ || swaps_ || x != 0 || y != next_row_ || w != kSide) {
-        fprintf(stderr, "TFT_eSPI: not the next rows of the picture, or not as they are sent\n");
+    if (!is_ready_ || swaps_ || x < 0 || y < 0 || x + w > kSide || y + h > kSide) {
+        fprintf(stderr, "TFT_eSPI: pixels beside the picture, or not as they are sent\n");
         exit(1);
     }
-    fwrite(data, sizeof *data, static_cast<size_t>(w * h), stdout);
-    next_row_ = (y + h) % kSide;
+    for (int32_t row = 0; row < h; ++row) memcpy(screen[y + row] + x, data + row * w, sizeof *data * static_cast<size_t>(w));
+}
+
+void after_loop()
+{
+    fwrite(screen, 1, sizeof screen, stdout);
 }

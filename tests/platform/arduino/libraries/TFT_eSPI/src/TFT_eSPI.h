@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stands for as much of the library TFT_eSPI as lumi's sketch calls, on a display of 240 × 240 pixels: its bytes go to
-// standard output in the order in which the wires would carry them. `tools/lab/devices.sh --tft-espi` compiles the
+// Stands for as much of the library TFT_eSPI as lumi's sketch calls, on a display of 240 × 240 pixels: what it shows
+// goes to standard output after each loop(). `tools/lab/devices.sh --tft-espi` compiles the
 // sketch with the real header.
 #pragma once
 
@@ -19,5 +19,4 @@ public:
 
 private:
     bool is_ready_ = false, swaps_ = false;
-    int32_t next_row_ = 0;
 };

@@ -11,6 +11,7 @@
 
 void setup();
 void loop();
+void after_loop();  // a library may have one
 unsigned long micros();
 unsigned long millis();
 void delay(unsigned long milliseconds);

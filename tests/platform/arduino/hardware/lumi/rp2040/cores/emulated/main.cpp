@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Calls loop() twice, through semihosting.
+// Calls loop() twice, through semihosting. To wait moves the clock on.
 #include <Arduino.h>
 #include <stdio.h>
 #include <time.h>
 
 SerialPort Serial;
 
+static unsigned long waited_ms;
+
 unsigned long micros()
 {
-    return static_cast<unsigned long>(clock()) * (1000000 / CLOCKS_PER_SEC);
+    return static_cast<unsigned long>(clock()) * (1000000 / CLOCKS_PER_SEC) + 1000 * waited_ms;
 }
 
 unsigned long millis()
@@ -16,7 +18,10 @@ unsigned long millis()
     return micros() / 1000;
 }
 
-void delay(unsigned long) {}
+void delay(unsigned long milliseconds)
+{
+    waited_ms += milliseconds;
+}
 
 void SerialPort::begin(unsigned long) {}
 
@@ -35,9 +40,14 @@ void SerialPort::println(const char* text)
     fprintf(stderr, "%s\n", text);
 }
 
+__attribute__((weak)) void after_loop() {}
+
 int main()
 {
     setup();
-    for (int frame = 0; frame < 2; ++frame) loop();
+    for (int frame = 0; frame < 2; ++frame) {
+        loop();
+        after_loop();
+    }
     return 0;
 }
