@@ -146,7 +146,7 @@ PRINTERS = ["tools/src/terminal/text.cpp", "tools/src/terminal/progress_printer.
 
 SOURCES = (".h", ".cpp", ".c", ".S", ".inc")
 # By lumi_add_field, in a build's own folder.
-WRITTEN_BY_BUILDS = ["lumi_version.h", "desk_clock.h", "product.h", "rates.inc"]
+WRITTEN_BY_BUILDS = ["lumi_version.h", "desk_clock.h", "running_clock.h", "product.h", "rates.inc"]
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]', re.MULTILINE)
 
