@@ -10,7 +10,8 @@ namespace
 {
 
 constexpr uint64_t kPilotSeedOffset = 0x70696C6F;
-constexpr int kPilotRounds = 4;  // each linear around the one before
+constexpr const char* kPilotPaths = "pilot paths";
+constexpr uint32_t kPilotRounds = 4;  // each linear around the one before
 constexpr int kPilotIterations = 12;
 // The cost of a round of the pilot (its sums, and iterations), in light paths a texel that take as long.
 constexpr double kRoundWork = 6;
@@ -109,7 +110,7 @@ SortedSamples LightFit::pilot_samples(BakeStages& stages, Job& job) const
             return traced([&](uint32_t k) { return first + k; }, batches, job, settings_.seed + kPilotSeedOffset,
                           lines);
         };
-        SampleBatches some = stages.once<SampleBatches>("pilot paths", make, first);
+        SampleBatches some = stages.once<SampleBatches>(kPilotPaths, make, first);
         job.add_rays(end - job.part_of_rest(0));  // none, unless they were kept
         stages.require_shape(are_of(some, shape_));
         std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -130,30 +131,42 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     FitSums sums(shape_, state.tone, state.expected, White::goes_on);
     sums.weigh(std::vector<uint32_t>(shape_.mesh.patches.size(), paths_.pilot_lines()));
     bool is_first = true;  // not of all rounds: others may have been kept
-    for (int round = 0; round < kPilotRounds; ++round) {
-        const JobStage stage(job, Stage::solving, job.part_of_rest(0) + pilot_work() / kPilotRounds, kRoundRuns);
-        const auto next = [&] {
-            for_patches(shape_, job, [&](uint32_t p) {
-                if (is_first)
-                    sums.add(p, samples.begin(p), samples.end(p));
-                else
-                    sums.add_again(p, samples.begin(p), samples.end(p));
-            });
-            is_first = false;
-            if (round != 0) smoothness.learn(sums, state.expected);
-            PilotRound done = {state.expected, paths_.lines(sums)};
-            FitSolver solver(sums, smoothness, done.model.viewed, job);
-            solver.solve(done.model, kPilotIterations);
-            if (round + 1 == kPilotRounds) leave_out_flat_tables(sums, solver, done.model);
-            finish_texels(sums, state.tone, done.model);
-            return done;
-        };
-        PilotRound done = stages.once<PilotRound>("pilot fit", next, round);
-        stages.require_shape(is_of(done.model, shape_) && done.lines.size() == shape_.mesh.patches.size());
-        state.expected = std::move(done.model);
-        state.lines = std::move(done.lines);
-    }
+    const uint64_t begin = job.part_of_rest(0);
+    const auto require_shape = [&](const PilotRound& round) {
+        stages.require_shape(is_of(round.model, shape_) && round.lines.size() == shape_.mesh.patches.size());
+    };
+    const auto next = [&](uint32_t k, PilotRound& round) {
+        const JobStage stage(job, Stage::solving, begin + pilot_work() * (k + 1) / kPilotRounds, kRoundRuns);
+        if (k != 0) {
+            require_shape(round);
+            state.expected = round.model;
+        }
+        for_patches(shape_, job, [&](uint32_t p) {
+            if (is_first)
+                sums.add(p, samples.begin(p), samples.end(p));
+            else
+                sums.add_again(p, samples.begin(p), samples.end(p));
+        });
+        is_first = false;
+        if (k != 0) smoothness.learn(sums, state.expected);
+        round = {state.expected, paths_.lines(sums)};
+        FitSolver solver(sums, smoothness, round.model.viewed, job);
+        solver.solve(round.model, kPilotIterations);
+        if (k + 1 == kPilotRounds) leave_out_flat_tables(sums, solver, round.model);
+        finish_texels(sums, state.tone, round.model);
+        return true;
+    };
+    PilotRound last = stages.in_steps<PilotRound>("pilot fit", kPilotRounds, next);
+    require_shape(last);
+    job.add_rays(begin + pilot_work() - job.part_of_rest(0));  // none, unless they were kept
+    state.expected = std::move(last.model);
+    state.lines = std::move(last.lines);
     state.has_pilot = true;
+}
+
+void LightFit::forget_pilot(BakeStages& stages)
+{
+    stages.forget_from(kPilotPaths, uint32_t{0});
 }
 
 uint64_t LightFit::pilot_work() const

@@ -227,16 +227,16 @@ public:
     {
         FitSolver solver(state_.sums, smoothness_, model.viewed, job_);
         smoothness_.learn(state_.sums, model);
-        ConjugateGradients gradients;
-        for (int done = 0; done < kMostIterations && !gradients.done; done += kIterationsAtOnce) {
-            const auto next = [&] {
-                ConjugateGradients d = done == 0 ? solver.begun(model) : std::move(gradients);
-                solver.advance(d, kIterationsAtOnce);
-                return d;
-            };
-            gradients = stages_.once<ConjugateGradients>(name, next, done);
+        const auto advance = [&](uint32_t k, ConjugateGradients& gradients) {
+            if (k == 0) gradients = solver.begun(model);
             stages_.require_shape(is_of(gradients, state_.shape));
-        }
+            if (gradients.done) return false;
+            solver.advance(gradients, kIterationsAtOnce);
+            return true;
+        };
+        const ConjugateGradients gradients =
+            stages_.in_steps<ConjugateGradients>(name, kMostIterations / kIterationsAtOnce, advance);
+        stages_.require_shape(is_of(gradients, state_.shape));
         solver.take(gradients, model);
     }
     // The texels that go with these nodes.

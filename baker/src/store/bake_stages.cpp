@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "store/bake_stages.h"
 
+#include <algorithm>
+
 #include "lumi/baker/bake.h"
 #include "lumi/baker/file_guard.h"
 #include "lumi/detail/crc32.h"
@@ -89,15 +91,43 @@ bool StageFile::find(const Digest::Value& key, std::vector<uint8_t>& bytes) cons
 
 void StageFile::add(const Digest::Value& key, const std::vector<uint8_t>& bytes)
 {
+    add_over(key, key, bytes);
+}
+
+void StageFile::add_over(const Digest::Value& older, const Digest::Value& key, const std::vector<uint8_t>& bytes)
+{
     if (path_.empty()) return;
+    const auto place = places_.find(older);
+    const bool takes_place = place != places_.end() && place->second.size == bytes.size();
+    const uint64_t at = takes_place ? place->second.offset - kEntryHeadBytes : end_;
+    if (takes_place) places_.erase(place);
     try {
-        write(key, bytes);
+        write(at, key, bytes);
     } catch (const BakeError&) {
         give_up();
     }
 }
 
-void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& bytes)
+uint64_t StageFile::begin_of(const Digest::Value& key) const
+{
+    const auto place = places_.find(key);
+    return place == places_.end() ? end_ : place->second.offset - kEntryHeadBytes;
+}
+
+void StageFile::cut(uint64_t begin)
+{
+    if (!file_ || begin == end_) return;
+    for (auto place = places_.begin(); place != places_.end();)
+        place = place->second.offset > begin ? places_.erase(place) : std::next(place);
+    end_ = begin;
+    try {
+        file_->cut(begin);
+    } catch (const BakeError&) {
+        give_up();
+    }
+}
+
+void StageFile::write(uint64_t at, const Digest::Value& key, const std::vector<uint8_t>& bytes)
 {
     if (!file_) open(PosixFile::Mode::create);
     std::vector<uint8_t> record = head_of(key, bytes.size());
@@ -105,9 +135,9 @@ void StageFile::write(const Digest::Value& key, const std::vector<uint8_t>& byte
     crc.put32(crc_of_both(record, bytes));
     record.insert(record.end(), crc.bytes().begin(), crc.bytes().end());
     record.insert(record.end(), bytes.begin(), bytes.end());
-    file_->write_at(end_, record.data(), record.size());
-    places_[key] = {end_ + kEntryHeadBytes, bytes.size()};
-    end_ += record.size();
+    file_->write_at(at, record.data(), record.size());
+    places_[key] = {at + kEntryHeadBytes, bytes.size()};
+    end_ = std::max(end_, at + record.size());
 }
 
 // A full disk is needed for the field itself.

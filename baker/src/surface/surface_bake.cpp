@@ -39,14 +39,17 @@ public:
             kept_ = state.batches;
         }
     }
-    void keep_now_and_then(const FitState& state)
+    // Returns whether this is the first time: the pilot is kept from then on.
+    bool keep_now_and_then(const FitState& state)
     {
         const Clock::time_point start = Clock::now();
-        if (start >= next_) {
+        const bool is_first = kept_ == UINT32_MAX;
+        if (is_first || start >= next_) {
             keep(state);
             const Clock::time_point end = Clock::now();
             next_ = end + std::max<Clock::duration>(kShortest, kBetween * (end - start));
         }
+        return is_first;
     }
 
 private:
@@ -125,7 +128,7 @@ public:
     {
         try {
             fit_.trace(state_, stages_, job_, [this] {
-                if (keeper_ != nullptr) keeper_->keep_now_and_then(state_);
+                if (keeper_ != nullptr && keeper_->keep_now_and_then(state_)) LightFit::forget_pilot(stages_);
             });
             if (keeper_ != nullptr) keeper_->keep(state_);
         } catch (const Cancelled&) {

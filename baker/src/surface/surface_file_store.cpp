@@ -7,6 +7,7 @@
 #include "lumi/surface/format.h"
 #include "mesh/mesh_loss.h"
 #include "util/byte_stream.h"
+#include "util/gzip.h"
 
 namespace lumi::baker
 {
@@ -162,11 +163,16 @@ bool SurfaceFileStore::read_state(std::vector<uint8_t>& bytes)
         const std::optional<Place> found = place(turn);
         if (found && found->turn > newest_.turn && file_.read(state_block(*found), bytes)) newest_ = *found;
     }
-    return newest_.turn != 0 && file_.read(state_block(newest_), bytes);
+    if (newest_.turn == 0 || !file_.read(state_block(newest_), bytes)) return false;
+    std::optional<std::vector<uint8_t>> state = unpacked(bytes);
+    if (!state) return false;
+    bytes = std::move(*state);
+    return true;
 }
 
-void SurfaceFileStore::write_state(const std::vector<uint8_t>& bytes)
+void SurfaceFileStore::write_state(const std::vector<uint8_t>& state)
 {
+    const std::vector<uint8_t> bytes = packed(state);
     const uint64_t begin = place_block(1).end();
     Place next = {newest_.turn + 1, begin, bytes.size()};
     if (newest_.turn != 0 && state_block(next).end() > newest_.offset)

@@ -4,7 +4,7 @@
 //   size    of the block "basis"
 //   basis   the mesh and what else a merge needs, the same in all shards
 //   places  two of them, written in turn: where the newest state lies. A state is written beside the one before it, so
-//           that a bake that is killed meanwhile goes on from that one.
+//           that a bake that is killed meanwhile goes on from that one. States are packed (util/gzip.h).
 #pragma once
 
 #include <optional>
@@ -46,7 +46,7 @@ public:
 
     // After the basis is read or written. False where no whole state is there.
     bool read_state(std::vector<uint8_t>& bytes);
-    void write_state(const std::vector<uint8_t>& bytes);
+    void write_state(const std::vector<uint8_t>& state);
 
 private:
     struct Place {

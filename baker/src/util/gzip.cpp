@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <new>
 
+#include "util/byte_stream.h"
+
 namespace lumi::baker
 {
 namespace
@@ -73,6 +75,39 @@ std::string unpack_gzip(const std::string& bytes, size_t most)
         taken = inflater.read(&out[size], out.size() - size);
         out.resize(size + taken);
     }
+    return out;
+}
+
+namespace
+{
+
+constexpr size_t kSizeBytes = 8;  // before the packed bytes, how many they were
+
+}  // namespace
+
+std::vector<uint8_t> packed(const std::vector<uint8_t>& bytes)
+{
+    ByteWriter head;
+    head.put64(bytes.size());
+    std::vector<uint8_t> out = head.bytes();
+    uLongf size = compressBound(bytes.size());
+    out.resize(kSizeBytes + size);
+    if (compress2(out.data() + kSizeBytes, &size, bytes.data(), bytes.size(), Z_BEST_SPEED) != Z_OK)
+        throw std::bad_alloc();
+    out.resize(kSizeBytes + size);
+    return out;
+}
+
+std::optional<std::vector<uint8_t>> unpacked(const std::vector<uint8_t>& bytes)
+{
+    constexpr uint64_t kMostRatio = 1100;  // deflate makes nothing smaller than by 1032
+    if (bytes.size() < kSizeBytes) return std::nullopt;
+    const uint64_t wanted = ByteReader(bytes.data(), kSizeBytes).get64();
+    if (wanted / kMostRatio > bytes.size()) return std::nullopt;
+    std::vector<uint8_t> out(wanted);
+    uLongf size = wanted;
+    const int result = uncompress(out.data(), &size, bytes.data() + kSizeBytes, bytes.size() - kSizeBytes);
+    if (result != Z_OK || size != wanted) return std::nullopt;
     return out;
 }
 

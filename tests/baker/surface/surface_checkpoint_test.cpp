@@ -107,6 +107,55 @@ TEST_CASE("a stage is done once for a scene, a name and settings, and what it ga
     CHECK(made == 4);
 }
 
+TEST_CASE("of steps that follow each other the last two are kept, and work goes on behind them")
+{
+    const ScratchFolder folder;
+    std::vector<uint32_t> made;
+    const auto sum_of = [&](uint32_t count, uint32_t stop) {
+        const auto step = [&](uint32_t k, FitModel& model) {
+            if (k == stop) throw Cancelled();
+            made.push_back(k);
+            model.alike.resize(1000);
+            model.alike[0] += static_cast<float>(k + 1);
+            return k + 1 < 6;  // the last one is done already
+        };
+        return BakeStages(folder.at("f.stages"), {1, 2}).in_steps<FitModel>("steps", count, step).alike[0];
+    };
+    CHECK_THROWS_AS(sum_of(8, 4), Cancelled);
+    CHECK(made == std::vector<uint32_t>{0, 1, 2, 3});
+    CHECK(read_bytes(folder.at("f.stages")).size() < 3 * 4000);
+    made.clear();
+    CHECK(sum_of(8, 8) == 1 + 2 + 3 + 4 + 5 + 6);
+    CHECK(made == std::vector<uint32_t>{4, 5});
+}
+
+TEST_CASE("what is packed comes back, and bytes that are cut or changed are refused")
+{
+    std::vector<uint8_t> bytes(3000);
+    for (size_t k = 0; k < bytes.size(); k += 7) bytes[k] = static_cast<uint8_t>(k * k);
+    const std::vector<uint8_t> small = packed(bytes);
+    CHECK(small.size() < bytes.size() / 2);
+    CHECK(unpacked(small) == bytes);
+    CHECK(unpacked(packed({})) == std::vector<uint8_t>{});
+    for (size_t size = 0; size < small.size(); ++size)
+        CHECK_FALSE(unpacked({small.begin(), small.begin() + static_cast<ptrdiff_t>(size)}));
+    for (size_t at = 0; at < small.size(); ++at) {
+        std::vector<uint8_t> changed = small;
+        changed[at] = static_cast<uint8_t>(changed[at] ^ 0x55);
+        CHECK(unpacked(changed).value_or(bytes) == bytes);
+    }
+}
+
+TEST_CASE("once its result is kept, the pilot's paths leave the disk", "[repeated]")
+{
+    const Scene scene = tiny_scene();
+    const ScratchFolder folder;
+    CHECK_THROWS_AS(bake_surface(scene, tiny_plan(), folder.at("f.lumi"), stop_at(0.3)), Cancelled);
+    CHECK(std::filesystem::file_size(folder.at("f.lumi.part")) > 0);
+    CHECK(std::filesystem::file_size(folder.at("f.lumi.stages")) == 0);  // of a plan whose mesh was given
+    CHECK(file_of(scene, tiny_plan(), folder) == whole());
+}
+
 TEST_CASE("a file of stages that holds another mesh or another pilot is not used", "[repeated]")
 {
     const Scene scene = tiny_scene(), other = tiny_scene(0.2f);

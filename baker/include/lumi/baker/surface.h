@@ -114,7 +114,7 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
 // A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
-// Disk: about three times the sums, which take some hundred bytes a texel; of the pilot 1.5 kB a texel, at most 200 MB.
+// Disk, for fields of the usual size at most 200 MB: first the pilot's paths, about 30 bytes each, then twice the sums.
 // Throws BakeError, Cancelled; either way both stay.
 SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
