@@ -14,7 +14,8 @@ constexpr const char* kPilotPaths = "pilot paths";
 constexpr uint32_t kPilotRounds = 4;  // each linear around the one before
 constexpr int kPilotIterations = 12;
 // The cost of a round of the pilot (its sums, and iterations), in light paths a texel that take as long.
-constexpr double kRoundWork = 6;
+constexpr double kRoundWork = 11;
+constexpr double kSumsPart = 0.7;  // of a round
 constexpr uint32_t kRoundRuns = kPilotIterations + 4;
 constexpr uint32_t kRounds = 16;     // calls of `keep` at least
 constexpr double kMostAtOnce = 1e6;  // light paths between two of them: they are kept in memory
@@ -136,18 +137,24 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
         stages.require_shape(is_of(round.model, shape_) && round.lines.size() == shape_.mesh.patches.size());
     };
     const auto next = [&](uint32_t k, PilotRound& round) {
-        const JobStage stage(job, Stage::solving, begin + pilot_work() * (k + 1) / kPilotRounds, kRoundRuns);
+        const auto end_of = [&](double part) {
+            return begin + static_cast<uint64_t>(static_cast<double>(pilot_work()) * (k + part) / kPilotRounds);
+        };
         if (k != 0) {
             require_shape(round);
             state.expected = round.model;
         }
-        for_patches(shape_, job, [&](uint32_t p) {
-            if (is_first)
-                sums.add(p, samples.begin(p), samples.end(p));
-            else
-                sums.add_again(p, samples.begin(p), samples.end(p));
-        });
+        {
+            const JobStage stage(job, Stage::solving, end_of(kSumsPart), 1);
+            for_patches(shape_, job, [&](uint32_t p) {
+                if (is_first)
+                    sums.add(p, samples.begin(p), samples.end(p));
+                else
+                    sums.add_again(p, samples.begin(p), samples.end(p));
+            });
+        }
         is_first = false;
+        const JobStage stage(job, Stage::solving, end_of(1), kRoundRuns);
         if (k != 0) smoothness.learn(sums, state.expected);
         round = {state.expected, paths_.lines(sums)};
         FitSolver solver(sums, smoothness, round.model.viewed, job);
@@ -174,11 +181,15 @@ uint64_t LightFit::pilot_work() const
     return static_cast<uint64_t>(kPilotRounds * kRoundWork * shape_.layout.texels);
 }
 
-uint64_t LightFit::work() const
+uint64_t LightFit::rays_left(const FitState& state) const
 {
-    return uint64_t{PathPlan::kBatchTexels} * (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
-                                               uint64_t{paths_.most_lines()} * paths_.batches()) +
-           pilot_work();
+    if (!state.has_pilot)
+        return uint64_t{PathPlan::kBatchTexels} * (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
+                                                   uint64_t{paths_.most_lines()} * paths_.batches());
+    uint64_t rays = 0;
+    for (uint32_t k = state.batches; k < paths_.batches(); ++k)
+        paths_.each_texel(paths_.batch(k), [&](uint32_t patch, uint32_t) { rays += state.lines[patch]; });
+    return rays;
 }
 
 uint64_t LightFit::work_in(const FitState& state) const
@@ -197,12 +208,15 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
         keep();
     }
     const uint32_t at_once = std::min(std::max(batches / kRounds, 1u), at_once_of(paths_.most_lines()));
-    const ProgressCallback quiet;
+    const ProgressCallback as_whole = [&](const Progress&) {
+        job.tell();
+        return true;
+    };
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
         const SortedSamples samples = by_patch(traced([&](uint32_t k) { return paths_.batch(state.batches + k); },
                                                       count, job, settings_.seed, state.lines));
-        Job whole(1, settings_.threads, quiet);  // sums hold all of a batch or nothing
+        Job whole(1, settings_.threads, as_whole);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;
         state.paths += samples.samples.size();

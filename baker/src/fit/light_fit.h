@@ -21,10 +21,11 @@ public:
     // Borrows all.
     LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard);
 
-    // All work up to the solution, in light paths that take as long.
-    uint64_t work() const;
-    // The part of that work which a state already holds.
+    // The part of all work up to the solution that a state already holds, in light paths that take as long.
     uint64_t work_in(const FitState& state) const;
+    // The rest of it: light paths, and other work.
+    uint64_t rays_left(const FitState& state) const;
+    uint64_t staged_left(const FitState& state) const { return state.has_pilot ? 0 : pilot_work(); }
 
     // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
     // Cancelled, with what is whole in the state.

@@ -212,7 +212,8 @@ std::vector<LevelColour> opaque_texels(const FitShape& shape, std::vector<LevelC
 // Levels, root mean square. Tables that show less take a tenth of a file and gain nothing (docs/log/surface.md).
 constexpr double kLeastDifference = 8;
 constexpr int kMostIterations = 60, kIterationsAtOnce = 10;
-constexpr double kSolveWork = 60;  // light paths a texel that take as long
+// Light paths a texel that take as long: without view tables, and where all vertices have one.
+constexpr double kPlainWork = 10, kTableWork = 50;
 
 class Solution
 {
@@ -255,9 +256,13 @@ private:
 
 }  // namespace
 
-uint64_t solution_work(const FitShape& shape)
+uint64_t solution_work(const FitState& state)
 {
-    return static_cast<uint64_t>(kSolveWork * shape.layout.texels);
+    const std::vector<uint8_t>& viewed = state.expected.viewed;
+    const auto count =
+        static_cast<double>(std::count_if(viewed.begin(), viewed.end(), [](uint8_t v) { return v != 0; }));
+    const double share = viewed.empty() ? 0 : count / static_cast<double>(viewed.size());
+    return static_cast<uint64_t>((kPlainWork + kTableWork * share) * state.shape.layout.texels);
 }
 
 FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job, size_t kept)

@@ -15,8 +15,8 @@ struct FieldSphere {
     double radius;
 };
 
-// About as much work as tracing so many light paths.
-uint64_t solution_work(const FitShape& shape);
+// About as much work as tracing so many light paths; less once it is known which vertices need no view table.
+uint64_t solution_work(const FitState& state);
 
 // The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
 // less what `stages` have of it. `kept`: the last entries of the see-through palette that stay as they are.

@@ -66,15 +66,16 @@ private:
 FitBasis basis_of(const SceneData& scene, const BuiltMesh& built, const SurfaceSettings& settings,
                   const ProgressCallback& progress)
 {
+    JobSeries jobs(as_stage(Stage::mesh, progress));
     FitBasis basis = {built.mesh,
-                      texel_densities(scene, built.mesh, settings, progress),
+                      texel_densities(scene, built.mesh, settings, jobs.next()),
                       built.loss,
                       scene.tone,
                       {scene.centre, scene.radius},
                       {},
-                      part_shadows(scene, built.mesh, settings, progress),
-                      ground_shadow(scene, built.mesh, settings, progress)};
-    basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, progress);
+                      part_shadows(scene, built.mesh, settings, jobs.next()),
+                      ground_shadow(scene, built.mesh, settings, jobs.next())};
+    basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
     return basis;
 }
 
@@ -120,14 +121,18 @@ public:
           tone_(basis.tone),
           state_(shape_, tone_),
           fit_(scene.data(), shape_, settings, shard),
-          job_(fit_.work() + solution_work(shape_), settings.threads, progress, earlier_work())
+          earlier_(earlier_work()),
+          job_(earlier_ + fit_.rays_left(state_) + staged_left(), settings.threads, progress, earlier_)
     {
+        plan();
     }
 
     void trace()
     {
         try {
-            fit_.trace(state_, stages_, job_, [this] {
+            const bool had_pilot = state_.has_pilot;
+            fit_.trace(state_, stages_, job_, [this, had_pilot] {
+                if (!had_pilot && state_.batches == 0) plan();
                 if (keeper_ != nullptr && keeper_->keep_now_and_then(state_)) LightFit::forget_pilot(stages_);
             });
             if (keeper_ != nullptr) keeper_->keep(state_);
@@ -159,6 +164,9 @@ public:
     }
 
 private:
+    uint64_t staged_left() const { return fit_.staged_left(state_) + solution_work(state_); }
+    void plan() { job_.plan(fit_.rays_left(state_), staged_left()); }
+
     // Reads what the checkpoint has.
     uint64_t earlier_work()
     {
@@ -179,6 +187,7 @@ private:
     const EncodedTone tone_;
     FitState state_;
     LightFit fit_;
+    const uint64_t earlier_;
     Job job_;
 };
 

@@ -125,7 +125,7 @@ class Planner
 public:
     Planner(const Scene& scene, const SurfaceLimits& limits, const ProgressCallback& progress,
             const std::filesystem::path& output)
-        : scene_(scene), limits_(limits), trials_(progress), output_(output)
+        : scene_(scene), limits_(limits), trials_(as_stage(Stage::mesh, progress)), output_(output)
     {
     }
 

@@ -14,8 +14,10 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kReportInterval(100);
-constexpr double kUsualPace = 3e5;  // rays a second
-constexpr double kFirstEta = 0.02;  // share of the work done before an ETA is told: estimated work tells no pace
+constexpr double kUsualPace = 3e5;     // rays a second
+constexpr double kFirstSeconds = 1.5;  // of tracing, before an ETA is told
+constexpr double kPriorSeconds = 8;    // for which stages are taken to have had the usual pace
+constexpr double kFirstEta = 0.02;     // share of the work done before an ETA is told: estimated work tells no pace
 
 unsigned thread_count(unsigned wanted)
 {
@@ -50,21 +52,51 @@ private:
 }  // namespace
 
 Job::Job(uint64_t rays_total, unsigned threads, const ProgressCallback& progress, uint64_t rays_done)
-    : rays_total_(rays_total), threads_(thread_count(threads)), progress_(progress), rays_done_(rays_done)
+    : rays_total_(rays_total),
+      threads_(thread_count(threads)),
+      progress_(progress),
+      rays_done_(rays_done),
+      first_done_(rays_done)
 {
-    report();
+    finish();
 }
 
-void Job::report()
+bool Job::report()
 {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double now = elapsed();
     const uint64_t done = this->done();
-    meter_.add(elapsed, done);
+    meter_.add(now, done);
     const bool traces = stage_ == Stage::light;
-    const bool tells_eta = traces || static_cast<double>(done) >= kFirstEta * static_cast<double>(rays_total_);
-    if (progress_ && !progress_({done, rays_total_, traces ? meter_.per_second() : 0,
-                                 tells_eta ? meter_.eta_seconds(rays_total_) : -1, elapsed, rays_saved_, stage_}))
-        throw Cancelled();
+    return !progress_ ||
+           progress_({done, rays_total_, traces ? meter_.per_second() : 0, eta_seconds(now), now, rays_saved_, stage_});
+}
+
+double Job::elapsed() const
+{
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+double Job::eta_seconds(double now) const
+{
+    const auto done = static_cast<double>(this->done()), total = static_cast<double>(rays_total_);
+    if (!has_plan_) return stage_ == Stage::light || done >= kFirstEta * total ? meter_.eta_seconds(rays_total_) : -1;
+    const double in_stage = is_staged_ ? done - static_cast<double>(stage_begin_) : 0;
+    const double staged = static_cast<double>(staged_done_) + in_stage;
+    const double staged_seconds = staged_seconds_ + (is_staged_ ? now - stage_start_ : 0);
+    const double traced = done - static_cast<double>(first_done_) - staged, traced_seconds = now - staged_seconds;
+    const double staged_left = std::max(0.0, static_cast<double>(staged_left_) - in_stage);
+    const double rays_left = std::max(0.0, total - done - staged_left);
+    const bool is_known = traced > 0 && traced_seconds >= kFirstSeconds;
+    if (rays_left > 0 && !is_known) return -1;
+    const double pace = (kPriorSeconds * kUsualPace + staged) / (kPriorSeconds + staged_seconds);
+    return staged_left / pace + (rays_left > 0 ? rays_left * traced_seconds / traced : 0);
+}
+
+void Job::plan(uint64_t rays_left, uint64_t staged_left)
+{
+    rays_total_ = rays_done_ + rays_left + staged_left;
+    staged_left_ = staged_left;
+    has_plan_ = true;
 }
 
 uint64_t Job::part_of_rest(double share) const
@@ -123,7 +155,7 @@ void Job::watch(unsigned workers)
     std::unique_lock<std::mutex> lock(mutex_);
     while (!finished_one_.wait_for(lock, kReportInterval, [&] { return finished_ == workers; })) {
         lock.unlock();
-        report();
+        finish();
         lock.lock();
     }
 }
@@ -150,6 +182,11 @@ void Job::run(uint32_t count, const std::function<void(uint32_t)>& task)
 
 void Job::finish()
 {
+    if (!report()) throw Cancelled();
+}
+
+void Job::tell()
+{
     report();
 }
 
@@ -159,11 +196,17 @@ JobStage::JobStage(Job& job, Stage stage, uint64_t until, uint32_t runs) : job_(
     job.is_staged_ = true;
     job.stage_end_ = until;
     job.runs_left_ = std::max(runs, 1u);
+    job.stage_begin_ = job.rays_done_;
+    job.stage_start_ = job.elapsed();
 }
 
 JobStage::~JobStage()
 {
     job_.rays_done_ = std::max<uint64_t>(job_.rays_done_, job_.stage_end_);
+    const uint64_t done = job_.rays_done_ - job_.stage_begin_;
+    job_.staged_done_ += done;
+    job_.staged_left_ -= std::min(done, job_.staged_left_);
+    job_.staged_seconds_ += job_.elapsed() - job_.stage_start_;
     job_.stage_ = Stage::light;
     job_.is_staged_ = false;
     job_.run_ = {};

@@ -27,6 +27,8 @@ public:
 
     // Reports once more. Throws Cancelled.
     void finish();
+    // Reports where nothing may be cancelled.
+    void tell();
 
     // For tasks: counts rays, of which `saved` need not be traced, and tells whether to give up early.
     void add_rays(uint64_t rays, uint64_t saved = 0)
@@ -36,6 +38,10 @@ public:
     }
     bool stopping() const { return stop_; }
     unsigned threads() const { return threads_; }
+
+    // The work that is left, so much of it in stages. From then on an ETA is told by the pace of each kind, once rays
+    // have shown theirs.
+    void plan(uint64_t rays_left, uint64_t staged_left);
 
     // Where a part of the work that is left ends, in rays.
     uint64_t part_of_rest(double share) const;
@@ -51,14 +57,16 @@ private:
         Clock::time_point start{};
     };
 
-    void report();
+    bool report();  // false: to be cancelled
     uint64_t done() const;
+    double elapsed() const;
+    double eta_seconds(double now) const;
     void begin_run(uint32_t count);
     void end_run();
     void work(uint32_t count, const std::function<void(uint32_t)>& task);
     void watch(unsigned workers);
 
-    const uint64_t rays_total_;
+    uint64_t rays_total_;
     const unsigned threads_;
     const ProgressCallback progress_;
     const Clock::time_point start_ = Clock::now();
@@ -79,6 +87,12 @@ private:
     uint64_t stage_end_ = 0;
     uint32_t runs_left_ = 0;
     Run run_;
+    bool has_plan_ = false;
+    const uint64_t first_done_;
+    uint64_t staged_left_ = 0, staged_done_ = 0;  // when the present stage began
+    double staged_seconds_ = 0;                   // before it
+    uint64_t stage_begin_ = 0;
+    double stage_start_ = 0;  // seconds
 };
 
 // While it lives, what the job runs is one stage of it: tasks need not count rays, and the stage ends when `until` rays

@@ -7,6 +7,15 @@
 namespace lumi::baker
 {
 
+ProgressCallback as_stage(Stage stage, ProgressCallback progress)
+{
+    if (!progress) return {};
+    return [stage, progress = std::move(progress)](Progress own) {
+        own.stage = stage;
+        return progress(own);
+    };
+}
+
 void RateMeter::add(double now_seconds, uint64_t done)
 {
     reports_.push_back({now_seconds, done});

@@ -80,7 +80,7 @@ double mean_shown(bool is_matt)
         state.sums.add(p, samples.data(), samples.data() + samples.size());
     }
     REQUIRE(add_encoded(encode(state), kept));
-    Job job(solution_work(shape), 1, {});
+    Job job(solution_work(kept), 1, {});
     BakeStages stages({}, {});
     const FieldParts parts = solved(kept, {{0, 0, 0}, 1}, stages, job);
     Mean mean;
@@ -109,7 +109,7 @@ TEST_CASE("a patch that no path met takes the colour around it, wherever its tex
         const std::vector<FitSample> samples = paths_to(shape, p, {0.5f, 0.5f, 0.5f});
         state.sums.add(p, samples.data(), samples.data() + samples.size());
     }
-    Job job(solution_work(shape), 1, {});
+    Job job(solution_work(state), 1, {});
     BakeStages stages({}, {});
     const FieldParts parts = solved(state, {{0, 0, 0}, 1}, stages, job);
     for (uint32_t p = 0; p < kSquares; ++p) {

@@ -89,6 +89,35 @@ TEST_CASE("job: a stage moves on with its runs and ends where it was told, and n
                          [](const Progress& a, const Progress& b) { return a.rays_done < b.rays_done; }));
 }
 
+TEST_CASE("job: by a plan the time left counts rays by their pace, and other work by its own")
+{
+    constexpr double kUsualPace = 3e5, kRaysLeft = 3e6, kSeconds = 1.6;
+    Progress last;
+    const ProgressCallback note = [&](const Progress& p) {
+        last = p;
+        return true;
+    };
+    Job job(1, 1, note);
+    job.plan(2 * static_cast<uint64_t>(kRaysLeft), 3000000);
+    job.finish();
+    CHECK(last.eta_seconds < 0);  // no ray has shown a pace
+    job.run(1, [&](uint32_t) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(kSeconds));
+        job.add_rays(static_cast<uint64_t>(kRaysLeft));
+    });
+    job.finish();
+    CHECK(last.eta_seconds > kSeconds + 3e6 / kUsualPace - 0.1);
+    CHECK(last.eta_seconds < 1.3 * kSeconds + 3e6 / kUsualPace);
+    {
+        const JobStage stage(job, Stage::solving, job.part_of_rest(0) + 3000000, 1);
+    }
+    job.finish();
+    CHECK(last.eta_seconds == Approx(last.elapsed_seconds).epsilon(0.1));  // half of the rays
+    job.plan(0, 0);
+    job.finish();
+    CHECK(last.eta_seconds == 0);
+}
+
 TEST_CASE("job: a run of one long task in a stage moves on while it runs")
 {
     std::atomic<uint64_t> seen{0};

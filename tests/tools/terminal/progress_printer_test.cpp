@@ -47,6 +47,43 @@ TEST_CASE("progress says the share done, the pace and the time left")
     CHECK(progress_text(unknown) == "0 %");
 }
 
+TEST_CASE("works that follow each other have one share of the time, which never goes back, and one time left")
+{
+    const auto own = [](uint64_t done, double eta) {
+        baker::Progress progress = at(done, 0);
+        progress.eta_seconds = eta;
+        return progress;
+    };
+    WholeTime time({2, 10, 1});
+    baker::Progress whole = time.of(own(500, -1), 1);
+    CHECK(whole.share == Approx(1 / (1.0 + 1 + 10 + 1)));
+    CHECK(whole.eta_seconds < 0);
+    time.begin(1);
+    whole = time.of(own(100, 20), 5);
+    CHECK(whole.share == Approx(5 / 26.0));
+    CHECK(whole.eta_seconds == Approx(21));
+    CHECK(progress_text(whole) == "19 %  light  1.24 M rays/s  0:21 left");
+    CHECK(time.of(own(110, 30), 6).share == Approx(5 / 26.0));
+    time.begin(2);
+    CHECK(time.of(own(0, -1), 19).eta_seconds == Approx(1));
+    CHECK(time.of(own(1000, 0), 20).share == 1);
+}
+
+TEST_CASE("a bar that is taken away leaves nothing on its line")
+{
+    char* text = nullptr;
+    size_t size = 0;
+    std::FILE* stream = open_memstream(&text, &size);
+    {
+        ProgressPrinter printer(stream, true);
+        printer.print(at(0, 0));
+        printer.clear();
+    }
+    std::fclose(stream);
+    CHECK(std::string(text, size) == "\r[..............................] 0 %  1.24 M rays/s  1:12 left\x1b[K\r\x1b[K");
+    std::free(text);
+}
+
 TEST_CASE("without a terminal a plain line comes at the beginning and every five seconds")
 {
     CHECK(printed(false, {at(0, 0), at(100, 1), at(200, 4.9), at(300, 5), at(400, 6), at(1000, 7)}) ==

@@ -98,21 +98,21 @@ baker::BakeSettings planned_chord(const BakeOptions& options)
 class Bake
 {
 public:
-    explicit Bake(const BakeOptions& options) : options_(options) {}
+    explicit Bake(const BakeOptions& options) : options_(options), progress_(options) {}
 
     void run()
     {
         if (!options_.fit.plan_only) output_ = output_of(options_);
         if (options_.layout == Layout::chord && !options_.fit.wanted())
             baker::field_file_bytes(options_.chord);  // throws before the scene is loaded
-        const auto start = BakeSummary::Clock::now();
         const baker::Scene scene = load_scene(options_.scene, warnings_);
+        progress_.expect(scene.triangle_count(), options_.limits.bytes);
         const std::optional<baker::SurfacePlan> surface = surface_plan(scene);
         const baker::BakeSettings chord = surface || !options_.fit.wanted() ? options_.chord : fitted_chord();
         if (options_.fit.plan_only) return;
-        BakeSummary summary = {options_, scene, output_.name, output_.target, output_.shard.has_value()};
+        BakeSummary summary = {options_, scene, progress_, output_.name, output_.target, output_.shard.has_value()};
         surface ? bake(*surface, summary) : bake(chord, summary);
-        summary.seconds = std::chrono::duration<double>(BakeSummary::Clock::now() - start).count();
+        summary.seconds = progress_.seconds();
         summary.warnings = warnings_;
         tell(summary);
         work_is_done();
@@ -120,10 +120,10 @@ public:
 
 private:
     template <class Work>
-    auto in_step(BakeStep step, Work work) const
+    auto in_step(BakeStep step, Work work)
     {
         try {
-            return with_progress(step, options_, work);
+            return progress_.in(step, work);
         } catch (const baker::Cancelled&) {
             throw_interrupted(output_.target);
         }
@@ -163,8 +163,9 @@ private:
         return plan;
     }
 
-    void bake(const baker::SurfacePlan& plan, BakeSummary& summary) const
+    void bake(const baker::SurfacePlan& plan, BakeSummary& summary)
     {
+        progress_.expect(summary.scene.triangle_count(), plan.most_bytes);
         summary.cap = static_cast<double>(plan.settings.cap);
         const baker::Progress last = traced([&](const baker::ProgressCallback& progress) {
             if (output_.shard)
@@ -176,7 +177,7 @@ private:
         summary.rays_saved = last.rays_saved;
     }
 
-    void bake(const baker::BakeSettings& settings, BakeSummary& summary) const
+    void bake(const baker::BakeSettings& settings, BakeSummary& summary)
     {
         if (settings.used_origins != 0) summary.cap = static_cast<double>(settings.used_origins) / settings.origins;
         // Calls that may fail come before the field is written.
@@ -193,7 +194,7 @@ private:
 
     // The last report of the work.
     template <class Work>
-    baker::Progress traced(Work work) const
+    baker::Progress traced(Work work)
     {
         baker::Progress last;
         in_step(BakeStep::baking, [&](const baker::ProgressCallback& progress) {
@@ -208,6 +209,7 @@ private:
     baker::Earlier earlier() const { return options_.restart ? baker::Earlier::discard : baker::Earlier::resume; }
 
     const BakeOptions& options_;
+    BakeProgress progress_;
     Output output_;
     size_t warnings_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "../planner/chord_plan.h"
 #include "../quality/measured.h"
@@ -35,8 +36,8 @@ std::optional<double> checked_db(const BakeSummary& summary)
 {
     if (!is_checked(summary)) return std::nullopt;
     try {
-        return with_progress(
-            BakeStep::measuring, summary.options,
+        return summary.progress.in(
+            BakeStep::measuring,
             [&](const baker::ProgressCallback& progress) {
                 const FieldFile field(summary.file, FieldFile::Role::own_output);
                 return quality::quick_psnr_db(summary.scene, field, summary.cap, summary.options.scene.threads,
@@ -207,17 +208,100 @@ std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker
 
 }  // namespace
 
-const char* name_of(BakeStep step)
+namespace
 {
-    constexpr const char* kNames[] = {"planning", "baking", "measuring"};
-    return kNames[static_cast<size_t>(step)];
+
+// What a machine with two idle cores does, in light paths a second or work that takes as long. It decides how evenly a
+// bake's share moves until its light shows a pace.
+constexpr double kUsualPace = 3e5;
+constexpr double kMeasuredPaths = 1e6, kMeasuredAtOnce = 3;  // and how many times faster than a bake's they are
+constexpr double kSilentSeconds = 1.5;
+
+}  // namespace
+
+BakeProgress::BakeProgress(const BakeOptions& options)
+    : options_(options), time_({0, 0, 0}), people_(stderr, stderr_is_terminal())
+{
+    try {
+        teller_ = std::thread([this] { tell_again(); });
+    } catch (const std::system_error&) {
+    }
 }
 
-std::string step_text(BakeStep step, const BakeOptions& options)
+BakeProgress::~BakeProgress()
 {
-    if (options.fit.plan_only || options.layout == Layout::chord) return "";
-    return std::to_string(static_cast<size_t>(step) + 1) + " of " + (options.shard.empty() ? "3 " : "2 ") +
-           name_of(step) + ": ";
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ends_ = true;
+    }
+    ended_.notify_all();
+    if (teller_.joinable()) teller_.join();
+}
+
+void BakeProgress::expect(size_t triangles, uint64_t bytes)
+{
+    constexpr double kMeshWork = 9, kLeastMesh = 5e5;                              // of a triangle, of any scene
+    constexpr double kTexelBytes = 1.5, kMostTexels = 1 << 20, kOtherPaths = 100;  // of a texel, besides --paths
+    const double texels = std::min(static_cast<double>(bytes) / kTexelBytes, kMostTexels);
+    const double paths = kOtherPaths + options_.surface.paths_per_texel;
+    const bool bakes = !options_.fit.plan_only, measures = bakes && options_.shard.empty();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    time_.expect(0, (kLeastMesh + kMeshWork * static_cast<double>(triangles)) / kUsualPace);
+    time_.expect(1, bakes ? texels * paths / kUsualPace : 0);
+    time_.expect(2, measures ? kMeasuredPaths / kMeasuredAtOnce / kUsualPace : 0);
+}
+
+void BakeProgress::begin(BakeStep step)
+{
+    constexpr const char* kNames[] = {"planning", "baking", "measuring"};
+    const std::lock_guard<std::mutex> lock(mutex_);
+    time_.begin(static_cast<size_t>(step));
+    step_ = step;
+    if (options_.progress == ProgressStyle::json) machines_.emplace(stdout, kNames[static_cast<size_t>(step)]);
+}
+
+void BakeProgress::end()
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_seconds_.reset();
+    people_.clear();
+}
+
+bool BakeProgress::tell(const baker::Progress& progress)
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const double now = seconds();
+    if (progress.rays_per_second > 0 && options_.shard.empty())
+        time_.expect(2, kMeasuredPaths / kMeasuredAtOnce / progress.rays_per_second);
+    baker::Progress own = progress;
+    // What comes before the light has a share of its own, which says nothing of the whole.
+    if (step_ == BakeStep::baking && progress.eta_seconds < 0) own.rays_done = 0;
+    last_ = time_.of(own, now);
+    last_.rays_done = progress.rays_done;
+    if (step_ == BakeStep::measuring) last_.stage = baker::Stage::measuring;
+    last_seconds_ = now;
+    print(last_);
+    return !interrupt_flag().load(std::memory_order_relaxed);
+}
+
+void BakeProgress::print(const baker::Progress& whole)
+{
+    machines_ ? machines_->print(whole) : people_.print(whole);
+}
+
+void BakeProgress::tell_again()
+{
+    constexpr auto kInterval = std::chrono::milliseconds(500);
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!ended_.wait_for(lock, kInterval, [this] { return ends_; })) {
+        const double now = seconds();
+        if (!last_seconds_ || now - *last_seconds_ < kSilentSeconds) continue;
+        baker::Progress later = last_;
+        later.elapsed_seconds = now;
+        later.rays_per_second = 0;
+        if (later.eta_seconds >= 0) later.eta_seconds = std::max(0.0, last_.eta_seconds - (now - *last_seconds_));
+        print(later);
+    }
 }
 
 size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, bool takes_surface)
@@ -300,7 +384,8 @@ void throw_interrupted(const std::string& output)
     const std::filesystem::path part = output + ".part", stages = baker::kept_stages(output);
     for (const std::filesystem::path& kept : {part, stages})
         if (!output.empty() && std::filesystem::exists(kept))
-            throw Interrupted(kept.string() + " keeps what is done; the same command goes on from there");
+            throw Interrupted(kept.string() + " keeps what is done (" + byte_text(std::filesystem::file_size(kept)) +
+                              "); the same command goes on from there");
     throw Interrupted();
 }
 

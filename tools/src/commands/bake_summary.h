@@ -3,8 +3,11 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 
 #include "commands/bake_options.h"
 #include "terminal/progress_printer.h"
@@ -14,28 +17,62 @@ namespace lumi::tools
 
 enum class BakeStep { planning, baking, measuring };
 
-// The words that progress begins with in a bake of these options: "2 of 3 baking: "; nothing where there is one step.
-std::string step_text(BakeStep step, const BakeOptions& options);
-const char* name_of(BakeStep step);
-
-// Calls work(progress), whose progress is told as the options ask: for people on stderr, for machines on stdout.
-template <class Work>
-auto with_progress(BakeStep step, const BakeOptions& options, Work work)
+// Tells how far a bake is, over all of its steps, as the options ask: for people on stderr, for machines on stdout. It
+// tells it again where a step reports nothing for a while.
+class BakeProgress
 {
-    if (options.progress == ProgressStyle::json) {
-        JsonProgress printer(stdout, name_of(step));
-        return work(watch(printer));
+public:
+    using Clock = std::chrono::steady_clock;
+
+    explicit BakeProgress(const BakeOptions& options);
+    ~BakeProgress();
+    BakeProgress(const BakeProgress&) = delete;
+    BakeProgress& operator=(const BakeProgress&) = delete;
+
+    // The triangles of the scene, and the bytes that its field has at most.
+    void expect(size_t triangles, uint64_t bytes);
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    // Calls work(progress).
+    template <class Work>
+    auto in(BakeStep step, Work work)
+    {
+        const Step open(*this, step);
+        return work(baker::ProgressCallback([this](const baker::Progress& progress) { return tell(progress); }));
     }
-    ProgressPrinter printer(stderr, stderr_is_terminal(), step_text(step, options));
-    return work(watch(printer));
-}
+
+private:
+    struct Step {
+        Step(BakeProgress& all, BakeStep step) : all_(all) { all.begin(step); }
+        ~Step() { all_.end(); }
+        BakeProgress& all_;
+    };
+
+    void begin(BakeStep step);
+    void end();
+    bool tell(const baker::Progress& progress);
+    void print(const baker::Progress& whole);
+    void tell_again();
+
+    const BakeOptions& options_;
+    const Clock::time_point start_ = Clock::now();
+    std::mutex mutex_;  // guards what follows
+    WholeTime time_;
+    BakeStep step_ = BakeStep::planning;
+    ProgressPrinter people_;
+    std::optional<JsonProgress> machines_;
+    baker::Progress last_;
+    std::optional<double> last_seconds_;  // nothing between steps
+    bool ends_ = false;
+    std::condition_variable ended_;
+    std::thread teller_;  // where the system has no thread left, nothing is told again
+};
 
 // A bake that is done.
 struct BakeSummary {
-    using Clock = std::chrono::steady_clock;
-
     const BakeOptions& options;
     const baker::Scene& scene;
+    BakeProgress& progress;
     std::string name, file;  // as the caller names it, and the file behind the name
     bool is_shard = false;
     double cap = 1;                                            // share of the sphere that eyes may look from

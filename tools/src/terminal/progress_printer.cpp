@@ -39,8 +39,15 @@ std::string bar_text(double share, size_t room)
     return "[" + bar + "] ";
 }
 
+const char* name_of(baker::Stage stage)
+{
+    constexpr const char* kNames[] = {"light", "mesh", "solving", "training", "measuring"};
+    return kNames[static_cast<size_t>(stage)];
+}
+
 double share_done(const baker::Progress& progress)
 {
+    if (progress.share >= 0) return progress.share;
     if (progress.rays_total == 0) return 1;
     return static_cast<double>(progress.rays_done) / static_cast<double>(progress.rays_total);
 }
@@ -49,9 +56,10 @@ double share_done(const baker::Progress& progress)
 
 std::string progress_text(const baker::Progress& progress)
 {
-    constexpr const char* kStages[] = {"", "mesh ", "solving ", "training "};
-    std::string text = kStages[static_cast<size_t>(progress.stage)];
-    text += std::to_string(static_cast<int>(std::floor(100 * share_done(progress)))) + " %";
+    const bool is_whole = progress.share >= 0;
+    const std::string stage = is_whole || progress.stage != baker::Stage::light ? name_of(progress.stage) : "";
+    const std::string share = std::to_string(static_cast<int>(std::floor(100 * share_done(progress)))) + " %";
+    std::string text = is_whole ? share + "  " + stage : stage + (stage.empty() ? "" : " ") + share;
     if (progress.rays_per_second > 0) text += "  " + count_text(progress.rays_per_second) + " rays/s";
     if (progress.eta_seconds >= 0) text += "  " + duration_text(progress.eta_seconds) + " left";
     return text;
@@ -71,6 +79,13 @@ void ProgressPrinter::print(const baker::Progress& progress)
     std::fprintf(stream_, "%s%s\n", step_.c_str(), progress_text(progress).c_str());
     std::fflush(stream_);
     next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenLines;
+}
+
+void ProgressPrinter::clear()
+{
+    if (line_is_open_) std::fputs("\r\x1b[K", stream_);
+    std::fflush(stream_);
+    line_is_open_ = false;
 }
 
 void ProgressPrinter::redraw_bar(const baker::Progress& progress)
@@ -144,6 +159,23 @@ bool stderr_is_terminal()
     return isatty(STDERR_FILENO) == 1;
 }
 
+WholeTime::WholeTime(std::vector<double> expected) : expected_(std::move(expected)) {}
+
+baker::Progress WholeTime::of(const baker::Progress& own, double now)
+{
+    const double done =
+        own.rays_total == 0 ? 1 : static_cast<double>(own.rays_done) / static_cast<double>(own.rays_total);
+    double left = own.eta_seconds >= 0 ? own.eta_seconds : expected_[part_] * (1 - done);
+    for (size_t later = part_ + 1; later < expected_.size(); ++later) left += expected_[later];
+    tells_eta_ = tells_eta_ || own.eta_seconds >= 0;
+    if (now > 0) share_ = std::max(share_, std::min(1.0, now / (now + left)));
+    baker::Progress whole = own;
+    whole.share = share_;
+    whole.eta_seconds = tells_eta_ ? left : -1;
+    whole.elapsed_seconds = now;
+    return whole;
+}
+
 namespace
 {
 
@@ -153,9 +185,8 @@ constexpr double kSecondsBetweenObjects = 1;
 
 std::string progress_json(const baker::Progress& progress, const char* state)
 {
-    constexpr const char* kStages[] = {"light", "mesh", "solving", "training"};
     nlohmann::json line = {{"state", state},
-                           {"stage", kStages[static_cast<size_t>(progress.stage)]},
+                           {"stage", name_of(progress.stage)},
                            {"rays_done", progress.rays_done},
                            {"rays_total", progress.rays_total},
                            {"rays_saved", progress.rays_saved},
@@ -163,6 +194,7 @@ std::string progress_json(const baker::Progress& progress, const char* state)
                            {"elapsed_seconds", progress.elapsed_seconds},
                            {"eta_seconds", nullptr}};
     if (progress.eta_seconds >= 0) line["eta_seconds"] = progress.eta_seconds;
+    if (progress.share >= 0) line["share"] = progress.share;
     return line.dump();
 }
 

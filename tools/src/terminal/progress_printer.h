@@ -8,13 +8,15 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "lumi/baker/progress.h"
 
 namespace lumi::tools
 {
 
-// "43 %  1.24 M rays/s  1:12 left", "mesh 43 %  0:05 left"; without what is not known yet.
+// "43 %  1.24 M rays/s  1:12 left", "mesh 43 %  0:05 left"; of a longer work "43 %  mesh  0:05 left". Without what is
+// not known yet.
 std::string progress_text(const baker::Progress& progress);
 
 // A bar that redraws itself on a terminal, else a plain line at the beginning and every few seconds. Lines are no wider
@@ -33,6 +35,8 @@ public:
     ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
     void print(const baker::Progress& progress);
+    // Takes the bar's line away.
+    void clear();
 
 private:
     void redraw_bar(const baker::Progress& progress);
@@ -48,6 +52,26 @@ private:
 baker::ProgressCallback watch(ProgressPrinter& printer);
 // Only asks for Ctrl-C.
 baker::ProgressCallback watch_interrupt();
+
+// One share and one time left of works that follow each other and tell only their own: the share is that of the time.
+// It never goes back.
+class WholeTime
+{
+public:
+    // Seconds that each takes, about.
+    explicit WholeTime(std::vector<double> expected);
+
+    void begin(size_t part) { part_ = part; }
+    void expect(size_t part, double seconds) { expected_[part] = seconds; }
+    // now: seconds since the first began.
+    baker::Progress of(const baker::Progress& own, double now);
+
+private:
+    std::vector<double> expected_;
+    size_t part_ = 0;
+    double share_ = 0;
+    bool tells_eta_ = false;  // as soon as one part knows its time, others are estimated
+};
 
 // Tells on stderr what a command does that is not done after two seconds, and for how long: on a terminal each second,
 // in a line that vanishes with this, else every few seconds in a line of its own.

@@ -13,10 +13,11 @@ namespace lumi::baker
 
 // The work that a long computation does at the moment.
 enum class Stage : uint8_t {
-    light,    // rays are traced
-    mesh,     // a surface field's mesh is made; rays stand for work that takes as long
-    solving,  // a surface field's texels are solved for; rays stand for such work, too
-    training  // a filter is trained; rays stand for views seen
+    light,     // rays are traced
+    mesh,      // a surface field's mesh is made; rays stand for work that takes as long
+    solving,   // a surface field's texels are solved for; rays stand for such work, too
+    training,  // a filter is trained; rays stand for views seen
+    measuring  // a field is compared with traced pictures
 };
 
 struct Progress {
@@ -29,11 +30,15 @@ struct Progress {
     double elapsed_seconds = 0;
     uint64_t rays_saved = 0;  // rays among those done by this call that were not traced, as their texels were settled
     Stage stage = Stage::light;
+    double share = -1;  // of a longer work that has parts before and after; negative: rays tell it
 };
 
 // Called from the thread that started the work: once before the first ray, about ten times a second, once at the end.
 // Returning false cancels: the work throws Cancelled and leaves nothing behind, a bake only its checkpoint.
 using ProgressCallback = std::function<bool(const Progress&)>;
+
+// Reports to `progress` what is work of one stage, all of it.
+ProgressCallback as_stage(Stage stage, ProgressCallback progress);
 
 struct Cancelled : std::runtime_error {
     Cancelled() : std::runtime_error("cancelled") {}
