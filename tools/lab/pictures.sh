@@ -41,11 +41,12 @@ print(json.dumps({"picture": sys.argv[1], "scene": sys.argv[2], "orbit": sys.arg
     "$1" "$2" "$3" "$work/compared.json" "$work/inspected.json" | tee -a "$work/rows.json"
 }
 
-# The surface field that a bake without options makes, and the chord field.
+# The surface field that a bake without options makes, whose second hand runs, and the chord field.
 draw_readme() {
-  bake_once product "$scenes/product.obj"
+  bake_once clock "$scenes/clock.json"
   bake_once chord "$scenes/product.obj" --layout chord
-  "$lumi" render "$work/product.lumi" -o "$root/docs/img/readme-surface.webp" --turntable 36 "${readme_view[@]}" >/dev/null
+  "$lumi" render "$work/clock.lumi" -o "$root/docs/img/readme-surface.webp" --turntable 36 "${readme_view[@]}" \
+    --part second_hand=0..720 --part minute_hand=57.6 --part hour_hand=304.8 >/dev/null
   "$lumi" render "$work/chord.lumi" -o "$root/docs/img/readme-chord.png" "${readme_view[@]}" >/dev/null
   "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/readme-reference.png" --spp 256 "${readme_view[@]}" >/dev/null
 }
