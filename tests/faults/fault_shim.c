@@ -2,9 +2,11 @@
 // Preloaded (LD_PRELOAD) into a program, makes its N-th call of a kind fail, as a full memory or disk would; the first
 // one is the first after main began. Environment:
 //
-//   LUMI_FAULT        KIND:N or KIND:N:kill (the process is killed before the call). KIND: alloc, read, write, sync,
-//                     rename, link (of readlink), thread. From alloc:N on every allocation may be asked again: only the
-//                     N-th fails. From thread:N and link:N on the system gives none.
+//   LUMI_FAULT        KIND:N, KIND:N:kill (the process is killed before the call), KIND:N:wait (the call takes 3 s
+//                     and does not fail) or KIND:N:done (it is done and says ENOENT, as a rename on NFS does whose
+//                     answer was lost). KIND: alloc, read, write, sync, rename, link (of readlink), thread.
+//                     From alloc:N on every allocation may be asked again: only the N-th fails. From thread:N and
+//                     link:N on the system gives none.
 //   LUMI_FAULT_COUNT  a file that gets how many calls of each kind there were, "KIND COUNT" a line, when the program
 //                     exits
 //
@@ -26,7 +28,7 @@ static const char* const kNames[kKinds] = {"alloc", "read", "write", "sync", "re
 
 static atomic_ulong counts[kKinds];
 static unsigned long fail_at[kKinds];
-static int armed, kills;
+static int armed, kills, waits, does;
 
 // Whether this call is the one that fails.
 static int fails(enum Kind kind)
@@ -35,6 +37,7 @@ static int fails(enum Kind kind)
     const unsigned long n = 1 + atomic_fetch_add(&counts[kind], 1);
     if (kind == kThread || kind == kLink ? fail_at[kind] == 0 || n < fail_at[kind] : n != fail_at[kind]) return 0;
     if (kills) kill(getpid(), SIGKILL);
+    if (waits) return sleep(3), 0;
     return 1;
 }
 
@@ -69,7 +72,10 @@ void* realloc(void* block, size_t size)
     {                                                             \
         static result(*original) parameters;                      \
         if (!original) *(void**)&original = next(#name);          \
-        if (fails(kind)) return errno = (error), -1;              \
+        if (fails(kind)) {                                        \
+            if (does) original arguments;                         \
+            return errno = does ? ENOENT : (error), -1;           \
+        }                                                         \
         return original arguments;                                \
     }
 
@@ -100,6 +106,8 @@ static void read_environment(void)
             char* end = NULL;
             fail_at[kind] = strtoul(fault + length + 1, &end, 10);
             kills = strcmp(end, ":kill") == 0;
+            waits = strcmp(end, ":wait") == 0;
+            does = strcmp(end, ":done") == 0;
         }
     }
 }

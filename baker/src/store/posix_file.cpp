@@ -74,7 +74,7 @@ void PosixFile::fail(const char* action) const
 
 void PosixFile::rename_to(std::filesystem::path path)
 {
-    if (std::rename(path_.c_str(), path.c_str()) != 0) fail("renamed");
+    if (!has_renamed(path_, path)) fail("renamed");
     path_ = std::move(path);
 }
 
@@ -116,7 +116,8 @@ void PosixFile::write_at(uint64_t offset, const uint8_t* bytes, size_t size)
     size_t done = 0;
     while (done < size) {
         const ssize_t count = pwrite(descriptor_, bytes + done, size - done, static_cast<off_t>(offset + done));
-        if (count < 0 && errno != EINTR) fail("written");
+        if (count == 0) errno = EIO;  // else a file system that takes nothing is asked for ever
+        if (count == 0 || (count < 0 && errno != EINTR)) fail("written");
         done += count > 0 ? static_cast<size_t>(count) : 0;
     }
 }

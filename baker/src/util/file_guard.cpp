@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <map>
 #include <mutex>
 #include <string>
@@ -108,6 +110,18 @@ fs::path followed(fs::path file)
     }
     const fs::path place = fs::weakly_canonical(fs::absolute(file, failed), failed);
     return failed ? file : place;
+}
+
+bool has_renamed(const fs::path& from, const fs::path& to)
+{
+    struct stat before = {}, after = {};
+    const bool was_there = stat(from.c_str(), &before) == 0;
+    if (std::rename(from.c_str(), to.c_str()) == 0) return true;
+    const int error = errno;
+    const bool is_there = was_there && error == ENOENT && stat(to.c_str(), &after) == 0 &&
+                          before.st_ino == after.st_ino && before.st_dev == after.st_dev;
+    errno = error;
+    return is_there;
 }
 
 FileGuard::FileGuard()

@@ -74,6 +74,29 @@ int writes_of(const Arguments& arguments)
 
 }  // namespace
 
+TEST_CASE("a rename whose answer was lost has been done")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "f.lumi", test::small_surface_bytes());
+    const Arguments embed = {"embed", folder / "f.lumi", "-o", folder / "o.bin"};
+    const Arguments bake = {"bake", kScene,         "-o", folder / "o.lumi", "--origins",
+                            "8",    "--directions", "8",  "--spp",           "1"};
+    for (const Arguments& call : {embed, bake})
+        for (const char* which : {"1", "2"}) {
+            const Outcome outcome = lumi_with("LUMI_FAULT=rename:" + std::string(which) + ":done", call);
+            INFO(outcome.err);
+            CHECK(outcome.code == 0);
+        }
+    CHECK(content_of(folder / "o.bin") == content_of(folder / "f.lumi"));
+}
+
+TEST_CASE("a scene that takes long to load is told of")
+{
+    const test::TemporaryFolder folder;
+    const Arguments call = {"reference", kScene, "-o", folder / "o.png", "--size", "4x4", "--spp", "1"};
+    CHECK_THAT(lumi_with("LUMI_FAULT=read:1:wait", call).err, Catch::Contains("loading the scene  0:02"));
+}
+
 TEST_CASE("a bake that was killed ten times before random writes is bit-identical to an undisturbed one")
 {
     const test::TemporaryFolder folder;

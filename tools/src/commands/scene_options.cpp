@@ -10,6 +10,7 @@
 #include "image/picture_file.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -143,8 +144,10 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;
+    std::optional<Waiting> waiting(std::in_place, "loading the scene");
     if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
     baker::Scene scene = baker::load_scene(options.path, load, lines);
+    waiting.reset();
     for (const std::string& line : lines) print(stderr, "lumi: warning: %s\n", line.c_str());
     for (const std::string& note : scene.notes()) print(stderr, "lumi: %s\n", note.c_str());
     warnings = lines.size();

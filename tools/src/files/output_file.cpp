@@ -36,8 +36,10 @@ namespace fs = std::filesystem;
         mend = "remove that link or choose another path";
     else if (error == EFBIG)
         mend = "raise `ulimit -f`";
-    else if (error == ENOSPC)
+    else if (error == ENOSPC || error == EDQUOT)
         mend = "free some space on that disk";
+    else if (error == EIO)
+        mend = "check the disk";
     throw Failure(path, std::string("cannot be written (") + std::strerror(error) + ")", mend);
 }
 
@@ -106,6 +108,7 @@ int write_all(int descriptor, std::string_view bytes)
     while (!bytes.empty()) {
         const ssize_t count = write(descriptor, bytes.data(), bytes.size());
         if (count < 0 && errno != EINTR) return errno;
+        if (count == 0) return EIO;  // else a file system that takes nothing is asked for ever
         bytes.remove_prefix(count > 0 ? static_cast<size_t>(count) : 0);
     }
     return 0;
@@ -161,7 +164,7 @@ public:
     {
         const std::string earlier = temporary_ + "~";
         if (link(target_.c_str(), earlier.c_str()) == 0) earlier_ = earlier;
-        if (rename(temporary_.c_str(), target_.c_str()) != 0) fail(path_, errno);
+        if (!baker::has_renamed(temporary_, target_)) fail(path_, errno);
         temporary_.clear();
     }
     void give_back()

@@ -23,6 +23,10 @@ struct FileClash : std::runtime_error {
 // itself, stays a link.
 std::filesystem::path followed(std::filesystem::path file);
 
+// Whether a file has a new name now. NFS repeats a rename whose answer was lost, and then says that there is no such
+// file. Sets errno.
+bool has_renamed(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // A command's book of files. An inner guard shares the book of the outer one, which is emptied with the last of them.
 // The book belongs to the process; any thread may read and write files meanwhile.
 class FileGuard
