@@ -7,7 +7,7 @@
 enum { PIXEL_BYTES = 2, STEP_MS = 5, DRAG_STEPS = 40 };
 
 static uint8_t screen[HEADLESS_HEIGHT][HEADLESS_WIDTH * PIXEL_BYTES];
-static uint32_t now_ms, flushes;
+static uint32_t now_ms, flushes, pixels_sent;
 static lv_indev_state_t finger_state = LV_INDEV_STATE_RELEASED;
 static lv_point_t finger;
 static int16_t wheel;
@@ -24,6 +24,7 @@ static void flush(lv_display_t* display, const lv_area_t* area, uint8_t* pixels)
     for (int32_t y = area->y1; y <= area->y2; ++y, pixels += stride)
         memcpy(&screen[y][area->x1 * PIXEL_BYTES], pixels, bytes);
     ++flushes;
+    pixels_sent += lv_area_get_size(area);
     lv_display_flush_ready(display);
 }
 
@@ -87,4 +88,17 @@ int headless_write(const char* path)
 uint32_t headless_flushes(void)
 {
     return flushes;
+}
+
+uint32_t headless_pixels(void)
+{
+    return pixels_sent;
+}
+
+/* FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv/. */
+uint32_t headless_checksum(void)
+{
+    uint32_t hash = 2166136261u;
+    for (const uint8_t* at = screen[0]; at != screen[0] + sizeof screen; ++at) hash = (hash ^ *at) * 16777619u;
+    return hash;
 }

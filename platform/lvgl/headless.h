@@ -19,5 +19,9 @@ void headless_wheel(int steps);
 int headless_write(const char* path);
 /* Parts of the screen that LVGL sent since the start. */
 uint32_t headless_flushes(void);
+/* Pixels of these parts. */
+uint32_t headless_pixels(void);
+/* Of what the screen shows. */
+uint32_t headless_checksum(void);
 
 #endif

@@ -182,6 +182,24 @@ lumi_orbit lv_lumi_get_orbit(const lv_obj_t* obj)
     return reinterpret_cast<const Widget*>(obj)->image->orbit;
 }
 
+lumi_error lv_lumi_show_parts(lv_obj_t* obj)
+{
+    lv_lumi_image_t& image = *widget_of(obj).image;
+    if (image.is_turned) {  // the frame that is to come has the parts, too
+        lv_obj_invalidate(obj);
+        return 0;
+    }
+    image.error = lumi_look_mode(image.view, image.orbit, image.mode);
+    const lumi_changes changes = image.error == 0 ? lumi_changed(image.view, 1, 1) : lumi_changes{};
+    for (uint32_t k = 0; k < changes.count; ++k) {
+        const lumi_rect& rect = changes.rect[k];
+        const int32_t left = obj->coords.x1 + rect.x_px, top = obj->coords.y1 + rect.y_px;
+        const lv_area_t area = {left, top, left + rect.width_px - 1, top + rect.height_px - 1};
+        lv_obj_invalidate_area(obj, &area);
+    }
+    return image.error;
+}
+
 void lv_lumi_set_zoom_range(lv_obj_t* obj, uint32_t least_q16, uint32_t most_q16)
 {
     Widget& widget = widget_of(obj);

@@ -10,4 +10,5 @@
 #define LUMI_C_BACKGROUND OverNothing()
 
 #include "../../core/src/c/lumi.cpp"
+#include "../../core/src/c/parts.cpp"
 #include "../../core/src/c/quality.cpp"

@@ -288,7 +288,9 @@ run_clock() {
 run_lvgl() {
   [[ -n $lvgl ]] || die "name a source tree of LVGL 9: --lvgl PATH"
   local folder=$devices/lvgl frame side rows azimuth elevation zoom format
-  build lvgl host -DLVGL_DIR="$lvgl"
+  bake_clock
+  build lvgl host -DLVGL_DIR="$lvgl" -DLUMI_CLOCK_FIELD="$clock"
+  "$folder/build/lumi_lvgl_clock"
   "$folder/build/lumi_lvgl" "$folder" | tee "$folder/log"
   while read -r _ frame _ _ _ _ side _ rows _ azimuth _ elevation _ zoom _; do
     for format in rgb565 coverage; do
