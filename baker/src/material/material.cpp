@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "material/lobes.h"
+
 namespace lumi::baker
 {
 namespace

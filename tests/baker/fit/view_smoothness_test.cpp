@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "fit/view_smoothness.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "fit/fit_solver.h"
 
@@ -44,8 +46,8 @@ std::vector<FitSample> paths(const FitShape& shape, float shine)
     return samples;
 }
 
-// The most paths that the expectation of a node is worth, once it has been learnt.
-float learnt_worth(float shine)
+// What is learnt of paths, where nodes that none of them saw are `unseen`.
+ViewSmoothness learnt(float shine, float unseen = 0)
 {
     const FitShape shape = square();
     const EncodedTone tone(ToneCurve::srgb);
@@ -58,21 +60,51 @@ float learnt_worth(float shine)
     ViewSmoothness smoothness(shape, model.viewed);
     Job job(1, 1, {});
     FitSolver(sums, smoothness, {}, job).solve(model, 20);
+    const std::vector<double> seen = node_weights(sums);
+    REQUIRE(std::count(seen.begin(), seen.end(), 0.0) > 0);
+    for (size_t k = 0; k < seen.size(); ++k)
+        if (seen[k] == 0) model.nodes[k] = {unseen, unseen, unseen};
     smoothness.learn(sums, model);
-    std::vector<float> diagonal(model.nodes.size());
+    return smoothness;
+}
+
+// The most paths that the expectation of a node is worth.
+float node_worth(const ViewSmoothness& smoothness)
+{
+    std::map<uint32_t, float> diagonal;
     smoothness.each([&](uint32_t a, uint32_t b, float number) {
         if (a == b) diagonal[a] += number;
     });
-    return *std::max_element(diagonal.begin(), diagonal.end());
+    float most = 0;
+    for (const auto& [node, number] : diagonal) most = std::max(most, number);
+    return most;
+}
+
+// So many is the difference of two directions worth: its product alone is negative at one vertex.
+float direction_worth(const ViewSmoothness& smoothness)
+{
+    using detail::format::kViewNodes;
+    float most = 0;
+    smoothness.each([&](uint32_t a, uint32_t b, float number) {
+        if (a != b && a / kViewNodes == b / kViewNodes) most = std::max(most, -number);
+    });
+    return most;
 }
 
 }  // namespace
 
 TEST_CASE("tables of a matt surface are learnt to be flat, those of one that shines are not")
 {
-    const float matt = learnt_worth(0), shining = learnt_worth(0.5f);
+    const float matt = node_worth(learnt(0)), shining = node_worth(learnt(0.5f));
     CAPTURE(matt, shining);
     CHECK(matt > 4 * shining);
+}
+
+TEST_CASE("a direction that no path saw teaches nothing of how alike directions are")
+{
+    const float usual = direction_worth(learnt(0.2f));
+    CHECK(usual > 0);
+    CHECK(direction_worth(learnt(0.2f, 500)) == usual);
 }
 
 }  // namespace lumi::baker::testing

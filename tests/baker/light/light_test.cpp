@@ -112,4 +112,18 @@ TEST_CASE("lights: a dark scene has none")
     CHECK(maker.make(constant_environment(0)).data().lights.empty());
 }
 
+TEST_CASE("points take two samples where sky and lamps both shine, and two are allowed")
+{
+    const Mesh none;
+    const Environment dark = constant_environment(0), bright = constant_environment(1);
+    const std::vector<Fixture> lamp = {PointLight{{0, 0, 1}, grey(1)}};
+    const auto takes_two = [&](const Environment& sky, const std::vector<Fixture>& lamps, float samples) {
+        return LightSet(none, {}, {}, sky, lamps, samples).takes_two();
+    };
+    CHECK(takes_two(bright, lamp, 2));
+    CHECK_FALSE(takes_two(bright, lamp, 1));
+    CHECK_FALSE(takes_two(bright, {}, 2));
+    CHECK_FALSE(takes_two(dark, lamp, 2));
+}
+
 }  // namespace lumi::baker

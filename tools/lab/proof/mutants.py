@@ -211,11 +211,11 @@ class Builder:
         self.work.mkdir(parents=True)
 
 
-def run(program, test, cpu_s):
+def run(program, test, cpu_s, memory=MEMORY):
     """None where the tests of that file pass; else why not."""
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_s) + 1, int(cpu_s) + 2))
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     done = subprocess.run([program, "--filenames-as-tags", "--abort", f"[#{pathlib.Path(test).stem.split('.')[0]}]"],
                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=limit, check=False)
