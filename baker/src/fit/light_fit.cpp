@@ -73,8 +73,32 @@ void fields(Io& io, PilotRound& round)
 }  // namespace
 
 LightFit::LightFit(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, const Shard& shard)
-    : shape_(shape), settings_(settings), tracer_(scene, shape, ViewCap(settings.cap)), paths_(settings, shard, shape)
+    : shape_(shape),
+      settings_(settings),
+      tracer_(scene, shape, ViewCap(settings.cap)),
+      paths_(settings, shard, shape),
+      lines_a_path_(lines_a_path())
 {
+}
+
+// Lines that something stops before they reach their texel are no paths. A few lines tell how many these are.
+double LightFit::lines_a_path() const
+{
+    constexpr uint32_t kBatches = 64;
+    constexpr double kMost = 8;  // fit/path_plan.cpp spends no more
+    const uint32_t all = paths_.pilot_batches(), step = std::max(1u, all / kBatches);
+    double sum = 0, count = 0;
+    for (uint32_t k = 0; k < all; k += step) {
+        SampleBatches samples(1);
+        double lines = 0;
+        paths_.each_texel(k, [&](uint32_t patch, uint32_t texel) {
+            tracer_.trace(settings_.seed + kPilotSeedOffset, patch, texel, 1, samples[0]);
+            lines += 1;
+        });
+        sum += std::min(kMost, lines / std::max(1.0, static_cast<double>(samples[0].size())));
+        count += 1;
+    }
+    return count > 0 ? sum / count : 1;
 }
 
 SortedSamples LightFit::by_patch(const SampleBatches& batches) const
@@ -184,8 +208,9 @@ uint64_t LightFit::pilot_work() const
 uint64_t LightFit::rays_left(const FitState& state) const
 {
     if (!state.has_pilot)
-        return uint64_t{PathPlan::kBatchTexels} * (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
-                                                   uint64_t{paths_.most_lines()} * paths_.batches());
+        return uint64_t{PathPlan::kBatchTexels} *
+               (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
+                static_cast<uint64_t>(lines_a_path_ * paths_.most_lines() * paths_.batches()));
     uint64_t rays = 0;
     for (uint32_t k = state.batches; k < paths_.batches(); ++k)
         paths_.each_texel(paths_.batch(k), [&](uint32_t patch, uint32_t) { rays += state.lines[patch]; });

@@ -35,6 +35,7 @@ public:
 
 private:
     uint64_t pilot_work() const;
+    double lines_a_path() const;
     void pilot(FitState& state, BakeStages& stages, Job& job) const;
     // Those of `count` batches, of which number(k) is the k-th's number.
     template <class Number>
@@ -47,6 +48,7 @@ private:
     const SurfaceSettings& settings_;
     const SampleTracer tracer_;
     const PathPlan paths_;
+    const double lines_a_path_;  // estimated, for the time left
 };
 
 }  // namespace lumi::baker

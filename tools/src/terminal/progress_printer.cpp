@@ -165,7 +165,11 @@ baker::Progress WholeTime::of(const baker::Progress& own, double now)
 {
     const double done =
         own.rays_total == 0 ? 1 : static_cast<double>(own.rays_done) / static_cast<double>(own.rays_total);
-    double left = own.eta_seconds >= 0 ? own.eta_seconds : expected_[part_] * (1 - done);
+    // By what was expected of the part, unless its own share says that it takes longer.
+    constexpr double kLeastDone = 0.05;
+    if (part_begin_ < 0) part_begin_ = now;
+    const double here = now - part_begin_, likely = done > kLeastDone ? here / done : here;
+    double left = own.eta_seconds >= 0 ? own.eta_seconds : std::max(expected_[part_], likely) * (1 - done);
     for (size_t later = part_ + 1; later < expected_.size(); ++later) left += expected_[later];
     tells_eta_ = tells_eta_ || own.eta_seconds >= 0;
     if (now > 0) share_ = std::max(share_, std::min(1.0, now / (now + left)));

@@ -61,7 +61,11 @@ public:
     // Seconds that each takes, about.
     explicit WholeTime(std::vector<double> expected);
 
-    void begin(size_t part) { part_ = part; }
+    void begin(size_t part)
+    {
+        part_ = part;
+        part_begin_ = -1;
+    }
     void expect(size_t part, double seconds) { expected_[part] = seconds; }
     // now: seconds since the first began.
     baker::Progress of(const baker::Progress& own, double now);
@@ -69,8 +73,8 @@ public:
 private:
     std::vector<double> expected_;
     size_t part_ = 0;
-    double share_ = 0;
-    bool tells_eta_ = false;  // as soon as one part knows its time, others are estimated
+    double share_ = 0, part_begin_ = -1;  // seconds; negative: not yet
+    bool tells_eta_ = false;              // as soon as one part knows its time, others are estimated
 };
 
 // Tells on stderr what a command does that is not done after two seconds, and for how long: on a terminal each second,
