@@ -107,4 +107,15 @@ TEST_CASE("a direction that no path saw teaches nothing of how alike directions 
     CHECK(direction_worth(learnt(0.2f, 500)) == usual);
 }
 
+TEST_CASE("each direction of a table is like three others at least")
+{
+    using detail::format::kViewNodes;
+    std::map<uint32_t, int> likes;
+    ViewSmoothness(square(), {1, 0, 0, 0}).each([&](uint32_t a, uint32_t b, float number) {
+        if (a < kViewNodes && b < kViewNodes && a != b && number < 0) ++likes[a];
+    });
+    CHECK(likes.size() == kViewNodes);
+    for (const auto& [node, count] : likes) CHECK(count >= 3);
+}
+
 }  // namespace lumi::baker::testing

@@ -105,6 +105,18 @@ TEST_CASE("fixtures: a rectangle over a plane has the closed form's irradiance, 
     check_radiance(light, {0, 0, 0}, 0);
 }
 
+TEST_CASE(
+    "fixtures: a panel is as powerful from whichever corner it is described, and does not shine at its own corner")
+{
+    const Vec3 corner = {3, 0, -1}, u = {0, 1, 0}, v = {0, 0, 4};
+    const Fixtures panel({RectangleLight{corner, u, v, grey(2)}}), turned({RectangleLight{corner + v, u, -v, grey(2)}});
+    CHECK(panel.power() == Approx(turned.power()));
+    const LightSample s = panel.sample(corner, 0.5f, {0, 0});
+    CHECK(s.pdf == 0);
+    CHECK(s.distance == 0);
+    CHECK(s.direction.x == 0);
+}
+
 TEST_CASE("fixtures: the exposure multiplies every light")
 {
     const PointLight light = {{0, 0, 0.5f}, grey(1)};
