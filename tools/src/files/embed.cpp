@@ -177,7 +177,8 @@ namespace
 std::string enum_of_parts(const std::vector<std::string>& names, uint32_t count)
 {
     std::string text = R"(
-/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS, and shadows with LUMI_C_SEE_THROUGH. So many, shadows included, take memory. */
+/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS, and shadows with LUMI_C_SEE_THROUGH.
+   So many, shadows included, take memory. */
 enum { @SYMBOL@_moving_parts = @COUNT@)";
     for (size_t k = 0; k < names.size(); ++k) text += ", @SYMBOL@_part_" + names[k] + " = " + std::to_string(k);
     return replaced(text, "@COUNT@", std::to_string(count)) + " };\n";
