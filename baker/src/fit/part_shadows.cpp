@@ -290,6 +290,21 @@ Vec2 best_shift(const std::vector<Shade>& shades, const Grid& grid, float gap)
     return best;
 }
 
+struct Cells {
+    uint32_t left, top, right, bottom;
+};
+
+Grid part_of(const Grid& grid, const Cells& cells, std::vector<float>& values)
+{
+    std::vector<float> kept;
+    for (uint32_t y = cells.top; y < cells.bottom; ++y)
+        for (uint32_t x = cells.left; x < cells.right; ++x) kept.push_back(values[y * grid.columns + x]);
+    values = std::move(kept);
+    const Vec2 low = {grid.low.x + grid.cell.x * static_cast<float>(cells.left),
+                      grid.low.y + grid.cell.y * static_cast<float>(cells.top)};
+    return {low, grid.cell, cells.right - cells.left, cells.bottom - cells.top};
+}
+
 // What of a grid keeps its corners inside: a field holds nothing outside of the sphere. Nothing if that is too little.
 template <class IsInside>
 std::optional<Grid> within(const Grid& grid, const IsInside& is_inside, std::vector<float>& values)
@@ -311,11 +326,24 @@ std::optional<Grid> within(const Grid& grid, const IsInside& is_inside, std::vec
             cut(right, bottom, kBack, kBack))) {
     }
     if (right - left < kFewest || bottom - top < kFewest) return std::nullopt;
-    std::vector<float> kept;
-    for (uint32_t y = top; y < bottom; ++y)
-        for (uint32_t x = left; x < right; ++x) kept.push_back(values[y * grid.columns + x]);
-    values = std::move(kept);
-    return Grid{corner(left, top), grid.cell, right - left, bottom - top};
+    return part_of(grid, {left, top, right, bottom}, values);
+}
+
+// What of a grid has a shadow, and a border without: a pixel costs its time also where nothing is to be seen.
+Grid shown(const Grid& grid, std::vector<float>& values)
+{
+    Cells cells = {grid.columns, grid.rows, 0, 0};
+    for (uint32_t k = 0; k < grid.size(); ++k) {
+        if (values[k] < kFaint) continue;
+        const uint32_t x = k % grid.columns, y = k / grid.columns;
+        cells = {std::min(cells.left, x), std::min(cells.top, y), std::max(cells.right, x + 1),
+                 std::max(cells.bottom, y + 1)};
+    }
+    const auto before = [](uint32_t at) { return at == 0 ? 0 : at - 1; };
+    return part_of(grid,
+                   {before(cells.left), before(cells.top), std::min(cells.right + 1, grid.columns),
+                    std::min(cells.bottom + 1, grid.rows)},
+                   values);
 }
 
 float mean_light(const std::vector<Shade>& shades)
@@ -364,15 +392,15 @@ public:
         for (const Shade& shade : shades) all += energy(shade.taken) / kShadowPoses;
         why = "it looks different in each pose";
         if (energy(mean) < kExplained * all) return std::nullopt;
-        why = "it is too faint to be seen";
-        if (*std::max_element(mean.begin(), mean.end()) < kFaint) return std::nullopt;
         why = "it reaches out of the sphere";
         const Vec3 moved = receiver->u * shift.x + receiver->v * shift.y;
         constexpr float kInside = 0.999f;
         const std::optional<Grid> inside = within(
             grid, [&](const Vec2& p) { return length(receiver->at(p) + moved + lift(*receiver)) < kInside; }, mean);
         if (!inside) return std::nullopt;
-        return shadow_of(part, *receiver, *inside, moved, mean, mean_light(shades));
+        why = "it is too faint to be seen";
+        if (*std::max_element(mean.begin(), mean.end()) < kFaint) return std::nullopt;
+        return shadow_of(part, *receiver, shown(*inside, mean), moved, mean, mean_light(shades));
     }
 
 private:

@@ -90,6 +90,8 @@ TEST_CASE("part shadows: a shadow takes a share of the field's texels, and reads
     const PartShadow& s = side_shadow();
     CHECK(s.columns <= s.rows);
     CHECK(s.columns * s.rows <= most_shadow_texels(20'000));
+    const auto inner_row = s.passed.begin() + s.columns;
+    CHECK(std::any_of(inner_row, inner_row + s.columns, [](uint8_t passed) { return passed < 255; }));  // no clear rim
     const Scene scene = lit_from_the_side();
     MeshSettings settings;
     settings.triangles = 200;
