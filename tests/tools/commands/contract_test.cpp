@@ -84,6 +84,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {bake("--threads", "99999999999"), "--threads takes a whole number from 0 to 1024, not \"99999999999\""},
         {bake("--seed", "x"), "--seed takes a whole number from 0 to 18446744073709551615, not \"x\""},
         {bake("--cap", "1e-300%"), "50%"},
+        {{"bake", kScene, "-o", baked, "--layout", "surface", "--cap", "150%"}, "50%"},
         {render("--span", "32"), "--span takes 0, 1, 2, 4, 8 or 16, not \"32\""},
         {{"bake", kScene, "--spp", "1", "--spp", "1", "--spp", "2"}, "--spp is given 3 times; give it once"},
         {{"bake", kScene, "--restart=foo"}, "--restart takes no value, not \"foo\""},

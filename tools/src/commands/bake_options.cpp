@@ -38,7 +38,8 @@ const char* first_given(const CLI::App& command, const Names& names)
 // A number of origins; a share suits both layouts.
 bool is_chord_cap(const CLI::App& command)
 {
-    return command.count("--cap") != 0 && !parse_cap_share(command.get_option("--cap")->as<std::string>());
+    return command.count("--cap") != 0 &&
+           command.get_option("--cap")->as<std::string>().find_first_of(".%") == std::string::npos;
 }
 
 void refuse(const char* option, const std::string& layout)
