@@ -289,8 +289,9 @@ uint64_t table_bytes(uint32_t viewed, uint32_t bits)
 
 }  // namespace
 
-uint64_t planned_view_bytes(const PatchMesh& mesh)
+uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables)
 {
+    if (!view_tables) return table_bytes(0, kPlannedCodeBits);
     const std::vector<uint8_t> viewable = viewable_vertices(mesh);
     return table_bytes(static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1)), kPlannedCodeBits);
 }

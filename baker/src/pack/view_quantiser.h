@@ -13,8 +13,8 @@ struct QuantisedViews {
     std::vector<ViewCode> views;  // by vertex
 };
 
-// At most so many bytes are planned for view tables.
-uint64_t planned_view_bytes(const PatchMesh& mesh);
+// At most so many bytes are planned for view tables, if there are to be any.
+uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables = true);
 // The most bits of a code with which the tables of so many vertices fit into these bytes.
 uint32_t code_bits_for(uint64_t bytes, uint32_t viewed);
 

@@ -24,6 +24,10 @@ namespace
 constexpr double kBytesATriangle = 90;  // bytes of the budget; with split edges and view tables the mesh takes about 35
 constexpr uint32_t kFewestTriangles = 100;
 constexpr double kMostForMesh = 0.5;  // share of the budget
+
+// A mesh that is torn gets more of the budget, as long as that mends much of it: a gap shows more than a coarse texel.
+constexpr double kTorn = 0.02, kMends = 0.75;  // shares of the light paths, and of those that were wrong before
+constexpr double kMoreForMesh[] = {0.7, 0.9};
 constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
 
 // Texels along a line of one radius, in steps that options can name.
@@ -49,41 +53,42 @@ float density_of(int steps)
     return static_cast<float>(steps) / kStepsARadius;
 }
 
-// Bytes of the file if every vertex gets a view table. Throws BakeError for more texels than the format holds.
-uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, bool has_ground)
+// Bytes of the file if every vertex gets a view table, or with these settings none does. Throws BakeError for more
+// texels than the format holds.
+uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, const SurfaceSettings& settings)
 {
     constexpr size_t kSections = 7;  // of opaque fields
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
     const uint64_t texels = layout_of(mesh, texels_per_radius).texels;
-    const bool has_see_through = mesh.see_through_patches != 0 || has_ground;
+    const bool has_see_through = mesh.see_through_patches != 0 || settings.ground;
     const size_t sections = kSections + (has_see_through ? 1 : 0);
     uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
     for (const uint64_t section :
          {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
-          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh)})
+          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh, settings.view_tables)})
         bytes += aligned(section);
     bytes += aligned(most_shadow_bytes(mesh.parts.size(), static_cast<uint32_t>(texels)));
-    if (has_ground) bytes += aligned(most_ground_room(mesh.longest_edge, texels_per_radius).bytes);
+    if (settings.ground) bytes += aligned(most_ground_room(mesh.longest_edge, texels_per_radius).bytes);
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }
 
-bool fits(const PatchMesh& mesh, int steps, bool has_ground, uint64_t budget)
+bool fits(const PatchMesh& mesh, const SurfaceSettings& settings, int steps, uint64_t budget)
 {
     try {
-        return most_bytes(mesh, density_of(steps), has_ground) <= budget;
+        return most_bytes(mesh, density_of(steps), settings) <= budget;
     } catch (const BakeError&) {
         return false;  // more texels than the format holds
     }
 }
 
 // Precondition: the coarsest fits.
-int finest_that_fits(const PatchMesh& mesh, bool has_ground, uint64_t budget)
+int finest_that_fits(const PatchMesh& mesh, const SurfaceSettings& settings, uint64_t budget)
 {
     int low = kCoarsest, high = kFinest + 1;
     while (high - low > 1) {
         const int middle = (low + high) / 2;
-        (fits(mesh, middle, has_ground, budget) ? low : high) = middle;
+        (fits(mesh, settings, middle, budget) ? low : high) = middle;
     }
     return low;
 }
@@ -120,6 +125,29 @@ bool has_bending_glass(const SceneData& scene)
         [&](uint32_t material) { return scene.materials[material].glass; });
 }
 
+std::string against(const SurfacePlan& plan, bool of_volume)
+{
+    const MeshLoss& loss = plan.loss;
+    const bool lacks_leaves = loss.missed_see_through > kMostMissedOfVolume;
+    const double limit = of_volume || lacks_leaves ? kMostMissedOfVolume : kMostMissed,
+                 wrong = loss.added + loss.displaced;
+    if (lacks_leaves || loss.missed - loss.missed_see_through > limit)
+        return formatted(
+            "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), "
+            "%.1f %% meet it elsewhere",
+            100 * loss.missed, plan.triangles, 100 * limit, 100 * loss.displaced);
+    if (of_volume || wrong <= kMostWrong) return "";
+    return formatted(
+        "for 100 light paths that meet the scene %.1f meet a mesh of %u triangles where the scene is not (limit %.0f)",
+        100 * wrong, plan.triangles, 100 * kMostWrong);
+}
+
+// The share of the light paths that meet the scene's solid part and do not meet the mesh there.
+double wrong_of(const MeshLoss& loss)
+{
+    return loss.missed - loss.missed_see_through + loss.displaced;
+}
+
 class Planner
 {
 public:
@@ -129,23 +157,67 @@ public:
     {
     }
 
-    // Makes meshes until one keeps to the limits.
     void plan(SurfacePlan& plan)
     {
         const auto budget = static_cast<double>(limits_.bytes);
         if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget);
         if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget);
+        make_until_kept(plan);
+        for (const double share : kMoreForMesh)
+            if (!mend(plan, share, plan.settings.view_tables)) break;
+        if (!against(plan, scene_.mesh_is_shell()).empty()) mend(plan, kMoreForMesh[1], false);
+        if (limits_.chooses_density)
+            plan.settings.texels_per_radius =
+                density_of(finest_that_fits(plan.mesh->mesh, plan.settings, limits_.bytes));
+        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings);
+        plan.against = against(plan, scene_.mesh_is_shell());
+    }
+
+    // How many bytes do the scene justice, as a mesh of twice, four or eight times the triangles tells; 0 where none
+    // does.
+    uint64_t enough_bytes(const SurfacePlan& plan)
+    {
+        constexpr uint32_t kMostTimes = 8;
+        if (!plan.mesh || !limits_.chooses_triangles || limits_.ram || scene_.mesh_is_shell()) return 0;
+        SurfacePlan larger = {plan.settings};
+        for (uint32_t times = 2; times <= kMostTimes; times *= 2) {
+            larger.settings.triangles = times * plan.settings.triangles;
+            if (larger.settings.triangles > kMostPlannedTriangles) return 0;
+            take_mesh(larger);
+            if (against(larger, false).empty()) return times * limits_.bytes;
+        }
+        return 0;
+    }
+
+private:
+    // Makes meshes until one keeps to the limits.
+    void make_until_kept(SurfacePlan& plan)
+    {
         do {
             take_mesh(plan);
             if (plan.triangles == 0) throw BakeError("no light path meets a surface");
         } while (shrinks_to_bytes(plan) || shrinks_to_ram(plan));
-        if (limits_.chooses_density)
-            plan.settings.texels_per_radius =
-                density_of(finest_that_fits(plan.mesh->mesh, plan.settings.ground, limits_.bytes));
-        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings.ground);
     }
 
-private:
+    // Takes a mesh of so large a share of the bytes, where that is worth it; returns whether it was.
+    bool mend(SurfacePlan& plan, double share, bool view_tables)
+    {
+        const bool may = limits_.chooses_triangles && limits_.chooses_density && !limits_.ram;
+        if (!may || scene_.mesh_is_shell() || wrong_of(plan.loss) < kTorn) return false;
+        SurfacePlan finer = plan;
+        SurfaceSettings& s = finer.settings;
+        s.view_tables = view_tables;
+        if (limits_.chooses_edge) s.longest_edge = kLongestEdge;
+        const auto taken = static_cast<double>(most_bytes(plan.mesh->mesh, density_of(kCoarsest), s));
+        s.triangles = static_cast<uint32_t>(
+            std::min(double{kMostPlannedTriangles}, s.triangles * share * static_cast<double>(limits_.bytes) / taken));
+        most_for_mesh_ = share;
+        make_until_kept(finer);
+        const bool mends = wrong_of(finer.loss) < kMends * wrong_of(plan.loss);
+        if (mends) plan = finer;
+        return mends;
+    }
+
     void take_mesh(SurfacePlan& plan)
     {
         MeshSettings settings;
@@ -170,13 +242,13 @@ private:
     bool shrinks_to_bytes(SurfacePlan& plan) const
     {
         const float density = limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
-        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings.ground);
+        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings);
         const auto budget = static_cast<double>(limits_.bytes);
-        const double most = limits_.chooses_density && limits_.chooses_triangles ? kMostForMesh * budget : budget;
+        const double most = limits_.chooses_density && limits_.chooses_triangles ? most_for_mesh_ * budget : budget;
         if (static_cast<double>(least) <= most) return false;
         const double share = static_cast<double>(least) / budget;
         SurfaceSettings& s = plan.settings;
-        if (shrink(s, kLongerEdge * s.longest_edge, s.triangles * std::min(0.8, 0.5 / share))) return true;
+        if (shrink(s, kLongerEdge * s.longest_edge, s.triangles * std::min(0.8, most_for_mesh_ / share))) return true;
         if (least > limits_.bytes)
             throw BakeError("nothing fits into " + std::to_string(limits_.bytes) +
                             " bytes; the smallest that works takes " + std::to_string(least) + " bytes");
@@ -221,24 +293,8 @@ private:
     const SurfaceLimits& limits_;
     JobSeries trials_;
     const std::filesystem::path& output_;
+    double most_for_mesh_ = kMostForMesh;  // share of the budget
 };
-
-std::string against(const SurfacePlan& plan, bool of_volume)
-{
-    const MeshLoss& loss = plan.loss;
-    const bool lacks_leaves = loss.missed_see_through > kMostMissedOfVolume;
-    const double limit = of_volume || lacks_leaves ? kMostMissedOfVolume : kMostMissed,
-                 wrong = loss.added + loss.displaced;
-    if (lacks_leaves || loss.missed - loss.missed_see_through > limit)
-        return formatted(
-            "of the light paths that meet the scene %.1f %% miss a mesh of %u triangles (limit %.0f %%), "
-            "%.1f %% meet it elsewhere",
-            100 * loss.missed, plan.triangles, 100 * limit, 100 * loss.displaced);
-    if (of_volume || wrong <= kMostWrong) return "";
-    return formatted(
-        "for 100 light paths that meet the scene %.1f meet a mesh of %u triangles where the scene is not (limit %.0f)",
-        100 * wrong, plan.triangles, 100 * kMostWrong);
-}
 
 }  // namespace
 
@@ -248,8 +304,9 @@ SurfacePlan plan_surface(const Scene& scene, const SurfaceSettings& settings, co
     SurfacePlan plan = {settings};
     try {
         require_partial_coverage(scene.data(), false);
-        Planner(scene, limits, progress, output).plan(plan);
-        plan.against = against(plan, scene.mesh_is_shell());
+        Planner planner(scene, limits, progress, output);
+        planner.plan(plan);
+        if (!plan.against.empty()) plan.enough_bytes = planner.enough_bytes(plan);
         return plan;
     } catch (const BakeError& error) {
         SurfacePlan none = {settings};

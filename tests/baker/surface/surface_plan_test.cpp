@@ -21,6 +21,21 @@ Scene ball()
     return maker.make(constant_environment(1));
 }
 
+// A lattice of thin sticks, of which none can be seen whole with few triangles.
+Scene sticks()
+{
+    SceneMaker maker;
+    const uint32_t matt = maker.add(diffuse(grey(0.5f)));
+    constexpr int kSide = 6;
+    for (int k = 0; k < kSide * kSide; ++k) {
+        const float x = 0.2f * static_cast<float>(k % kSide) - 0.5f, y = 0.2f * static_cast<float>(k / kSide) - 0.5f;
+        const float z = k % 3 == 0 ? -0.2f : -0.3f;
+        maker.box(matt, {x, y, z}, {x + 0.02f, y + 0.02f, z + 0.5f});
+    }
+    maker.span_unit_sphere();
+    return maker.make(constant_environment(1));
+}
+
 // Steps of meshes that other plans have made are found in the file of stages.
 SurfacePlan plan_of(const SurfaceLimits& limits, SurfaceSettings settings = {})
 {
@@ -143,6 +158,20 @@ TEST_CASE("a size that no surface field fits into ends with the smallest that wo
     const uint64_t least = std::stoul(text.substr(at + before.size()));
     CHECK(least > 3'000);
     CHECK(plan_of(within(least)).most_bytes <= least);
+}
+
+TEST_CASE("a mesh that thin parts would tear gets more triangles than others of so many bytes")
+{
+    constexpr uint64_t kBytes = 48'000;
+    SurfaceSettings settings;
+    settings.threads = 2;
+    const SurfacePlan plan = plan_surface(sticks(), settings, within(kBytes));
+    INFO(plan.settings.triangles << " triangles; " << plan.against);
+    REQUIRE(plan.mesh);
+    CHECK(plan.against.empty());
+    CHECK(plan.enough_bytes == 0);
+    CHECK(plan.most_bytes <= kBytes);
+    CHECK(plan.settings.triangles > kBytes / 90);  // where others begin
 }
 
 }  // namespace lumi::baker::testing

@@ -2,6 +2,7 @@
 // `lumi bake` chooses these where the user does not.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -26,10 +27,10 @@ std::string layout_of(const std::string& field)
 }
 
 // Specks that few triangles cannot follow.
-std::string write_specks(const std::string& folder)
+std::string write_specks(const std::string& folder, int count)
 {
     std::ostringstream obj;
-    for (int k = 0; k < 150; ++k) {
+    for (int k = 0; k < count; ++k) {
         const double x = k % 10 - 4.5, y = k / 10 % 10 - 4.5, z = k / 100 - 2.5;
         obj << "v " << x << ' ' << y << ' ' << z << "\nv " << x + 0.2 << ' ' << y << ' ' << z << "\nv " << x << ' '
             << y + 0.2 << ' ' << z + 0.1 << "\nf -3 -2 -1\n";
@@ -98,10 +99,11 @@ TEST_CASE("a plan's options bake the planned surface field")
     CHECK((test::content_of(folder / "a.lumi") == test::content_of(folder / "b.lumi")));
 }
 
-TEST_CASE("where light paths miss the mesh, bake takes a chord field and says why, --layout surface only warns")
+TEST_CASE(
+    "where light paths miss the mesh, bake takes the layout that shows more, and says why; --layout surface warns")
 {
     const test::TemporaryFolder folder;
-    const std::string scene = write_specks(folder.path()), field = folder / "f.lumi";
+    const std::string scene = write_specks(folder.path(), 600), field = folder / "f.lumi";
     const Outcome chord = lumi({"bake", scene, "-o", field, "--fit", "30kB", "--plan-only", "--progress", "json"});
     INFO(chord.err);
     CHECK(chord.code == 0);
@@ -111,8 +113,13 @@ TEST_CASE("where light paths miss the mesh, bake takes a chord field and says wh
     while (plan.find(R"("planned")") == std::string::npos && std::getline(lines, plan)) {
     }
     CHECK(nlohmann::json::parse(first)["state"] == "planning");
-    CHECK(nlohmann::json::parse(plan)["layout"] == "chord");
-    CHECK_THAT(plan, Catch::Contains("miss a mesh of") && Catch::Contains("limit 5 %"));
+    const auto json = nlohmann::json::parse(plan);
+    const std::string reason = json["reason"], measured = "measured by small bakes, a surface field shows ";
+    CHECK_THAT(reason, Catch::Contains("miss a mesh of") && Catch::Contains("limit 5 %") && Catch::Contains(measured));
+    double surface_db = 0, chord_db = 0;
+    REQUIRE(std::sscanf(reason.c_str() + reason.find(measured) + measured.size(), "%lf dB and a chord field %lf dB",
+                        &surface_db, &chord_db) == 2);
+    CHECK(json["layout"] == (surface_db >= chord_db ? "surface" : "chord"));
     const Outcome surface = lumi({"bake", scene, "-o", field, "--fit", "30kB", "--layout", "surface", "--plan-only"});
     INFO(surface.err);
     CHECK(surface.code == 0);
@@ -138,7 +145,7 @@ TEST_CASE("of a volume, bake takes a surface field where it looks solid, a chord
 TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
 {
     const test::TemporaryFolder folder;
-    const std::string scene = write_specks(folder.path());
+    const std::string scene = write_specks(folder.path(), 150);
     const Outcome bake = lumi({"bake", scene, "-o", folder / "f.lumi", "--layout", "surface", "--triangles", "150",
                                "--longest-edge", "0.5", "--texel-density", "6", "--paths", "1", "--progress", "json"});
     INFO(bake.err);

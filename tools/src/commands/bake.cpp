@@ -7,6 +7,8 @@
 #include "commands/bake_options.h"
 #include "commands/bake_summary.h"
 #include "commands/commands.h"
+#include "commands/device_figures.h"
+#include "commands/layout_trial.h"
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
@@ -142,7 +144,7 @@ private:
             return baker::plan_surface(scene, options_.surface, options_.limits, progress, output_.target);
         });
         const bool is_asked_for = has_parts || options_.layout == Layout::surface;
-        const bool takes = plan.mesh && (plan.against.empty() || is_asked_for);
+        const bool takes = plan.mesh && (plan.against.empty() || is_asked_for || shows_more(scene, plan));
         if (!takes) baker::discard_stages(output_.target);
         if (!takes && is_asked_for) throw baker::BakeError(plan.against);
         // Where neither layout fits, the smaller of both sizes is the one to name.
@@ -152,6 +154,25 @@ private:
         if (!options_.fit.json.empty())
             write_output(options_.fit.json, plan_json(plan, options_.limits).dump(2) + "\n");
         return plan;
+    }
+
+    // Whether the surface field shows more of the scene than a chord field, by small bakes of both. The soft edge of a
+    // volume is no fault of a mesh that a measure would find worse.
+    bool shows_more(const baker::Scene& scene, baker::SurfacePlan& plan)
+    {
+        if (scene.mesh_is_shell()) return false;
+        baker::BakeSettings chord = options_.chord;
+        try {
+            if (options_.fit.wanted()) chord = planned_chord(options_);
+        } catch (const Failure&) {
+            return true;  // a chord field does not fit
+        }
+        const LayoutTrial trial = in_step(BakeStep::planning, [&](const baker::ProgressCallback& progress) {
+            return tried_layouts(scene, plan, chord, progress);
+        });
+        plan.against += formatted("; measured by small bakes, a surface field shows %.1f dB and a chord field %.1f dB",
+                                  trial.surface_db, trial.chord_db);
+        return trial.surface_db >= trial.chord_db;
     }
 
     baker::BakeSettings fitted_chord() const

@@ -197,12 +197,20 @@ std::string text_of(const baker::MeshWarning& warning, const std::string& more)
     return warning.problem + (remedies.empty() ? "" : "; " + remedies);
 }
 
+// How many bytes a surface field needs; `unknown` where nobody knows.
+std::string enough_text(const baker::SurfacePlan& plan, const char* unknown)
+{
+    if (plan.enough_bytes == 0) return unknown;
+    return "; a surface field that shows all of it takes about " + byte_text(plan.enough_bytes) + ": --fit " +
+           std::to_string(plan.enough_bytes / 1000) + "kB";
+}
+
 std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits)
 {
     const std::string more = more_triangles(limits, plan.settings.triangles);
     std::vector<std::string> warnings;
     for (const baker::MeshWarning& warning : plan.warnings) warnings.push_back(text_of(warning, more));
-    if (!plan.against.empty()) warnings.push_back(plan.against + "; --layout chord shows all of it");
+    if (!plan.against.empty()) warnings.push_back(plan.against + enough_text(plan, "; --layout chord shows all of it"));
     return warnings;
 }
 
@@ -324,7 +332,7 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
             print(stderr, "lumi: it takes %s\n", ram.c_str());
     } else {
         print(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
-              options.fit.plan_only ? "" : "lumi: ", plan.against.c_str());
+              options.fit.plan_only ? "" : "lumi: ", (plan.against + enough_text(plan, "")).c_str());
     }
     std::fflush(stdout);
     const std::vector<std::string> warnings =

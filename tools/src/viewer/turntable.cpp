@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "files/output_file.h"
+#include "files/temporary_folder.h"
 #include "image/picture_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
@@ -42,23 +43,6 @@ void run_program(std::string name, std::vector<std::string> arguments, const std
     while (::waitpid(child, &status, 0) < 0)
         if (errno != EINTR) throw Failure(name, std::strerror(errno), mend);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Failure(name, "this program failed", mend);
-}
-
-// A new folder for temporary files; others can neither read it nor put a link in its place. Throws Failure.
-std::filesystem::path new_temporary_folder()
-{
-    constexpr char kMend[] =
-        "set TMPDIR to a folder that you may write to, or write the page to a file with -o view.html";
-    std::error_code missing;
-    const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
-    if (missing) {
-        const char* const named = std::getenv("TMPDIR");
-        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", kMend);
-    }
-    std::string pattern = (parent / "lumi-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-        throw Failure(parent.string(), std::string("takes no temporary folder (") + std::strerror(errno) + ")", kMend);
-    return pattern;
 }
 
 constexpr char kTurntableMend[] = "write it with lumi reference SCENE -o DIR/view.png --turntable 36";
@@ -117,7 +101,8 @@ std::vector<std::string> read_turntable(const std::string& folder)
 std::string show_in_browser(const std::string& name, const std::string& html)
 {
     constexpr char kMend[] = "install a browser and xdg-utils, or write the page to a file with -o view.html";
-    const std::filesystem::path folder = new_temporary_folder();
+    const std::filesystem::path folder = new_temporary_folder(
+        "set TMPDIR to a folder that you may write to, or write the page to a file with -o view.html");
     try {
         const std::string path = (folder / (name + ".html")).string();
         write_output(path, html);

@@ -88,11 +88,12 @@ struct SurfacePlan {
     uint64_t most_bytes = 0;             // the file has these if every vertex gets a view table
     uint64_t ram_bytes = 0;              // 0 where there is no limit
     uint32_t triangles_without_ram = 0;  // before the limit of RAM made the mesh coarser; 0: it did not
-    std::string against = {};            // why a chord field does the scene more justice, with figures; may be empty
+    std::string against = {};            // why the mesh does the scene no justice, with figures; may be empty
+    uint64_t enough_bytes = 0;           // then about so many do it; 0: nobody knows
 };
 
 // From a scene to the mesh of its field. A mesh or two are made, which takes seconds to a minute, and a few more where
-// RAM is scarce. If the name of the field is given, the steps that are done are kept beside it, and found there. Where
+// RAM is scarce or thin parts take many triangles: these get more of the bytes, and if need be those of view tables. If the name of the field is given, the steps that are done are kept beside it, and found there. Where
 // no surface field can hold the scene or keep to the limits, the plan has no mesh, and `against` tells why. Throws
 // Cancelled.
 SurfacePlan plan_surface(const Scene& scene, const SurfaceSettings& settings, const SurfaceLimits& limits,
