@@ -32,6 +32,7 @@ struct NamedPart {
     std::string name;
     size_t first = 0, end = 0;
     std::optional<Affine> frame = std::nullopt;  // of a node: from its axes to those of the scene
+    bool is_bent = false;                        // by a skin
 };
 
 // A camera of the file: from its axes (it looks along -z, y up) to those of the scene, with scale or shear if the file

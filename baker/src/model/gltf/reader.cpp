@@ -76,7 +76,8 @@ private:
     int32_t begin_part(const GltfNode& node, const Affine& place, int32_t parent)
     {
         const size_t triangles = parts_.mesh.triangle_count();
-        parts_.named.push_back({node.name, triangles, triangles, place});
+        parts_.named.push_back(
+            {node.name, triangles, triangles, place, node.mesh != kNoIndex && node.skin != kNoIndex});
         parents_.push_back(parent);
         return static_cast<int32_t>(parts_.named.size() - 1);
     }
@@ -87,8 +88,9 @@ private:
     {
         for (size_t part = parents_.size(); part-- > 0;) {
             if (parents_[part] == kNoIndex) continue;
-            size_t& end = parts_.named[static_cast<size_t>(parents_[part])].end;
-            end = std::max(end, parts_.named[part].end);
+            NamedPart& above = parts_.named[static_cast<size_t>(parents_[part])];
+            above.end = std::max(above.end, parts_.named[part].end);
+            above.is_bent = above.is_bent || parts_.named[part].is_bent;
         }
     }
 

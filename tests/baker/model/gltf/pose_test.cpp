@@ -100,6 +100,21 @@ TEST_CASE("glTF: a skin goes with its joints and not with its node, up to eight 
     check_near(posed(half.finished()).mesh.positions[1], {3, 0, 0});
 }
 
+TEST_CASE("glTF: what a skin bends is refused as a part that moves")
+{
+    Triangle t = skinned(0, kTurned);
+    t.node += ",\"name\":\"sleeve\"";
+    const ScratchFolder folder;
+    const std::string file = folder.write("m.glb", t.finished().glb());
+    LoadOptions options;
+    PartOptions part;
+    part.name = "sleeve";
+    part.axis = {0, 0, 1};
+    options.parts = {part};
+    std::vector<std::string> warnings;
+    CHECK_THROWS_WITH(load_scene(file, options, warnings), Catch::Contains("'sleeve' is bent by a skin"));
+}
+
 TEST_CASE("glTF: a skin that cannot be posed is refused by its name")
 {
     Triangle no_joint = skinned(0, "", "7");
