@@ -93,9 +93,9 @@ struct SurfacePlan {
 };
 
 // From a scene to the mesh of its field. A mesh or two are made, which takes seconds to a minute, and a few more where
-// RAM is scarce or thin parts take many triangles: these get more of the bytes, and if need be those of view tables. If the name of the field is given, the steps that are done are kept beside it, and found there. Where
-// no surface field can hold the scene or keep to the limits, the plan has no mesh, and `against` tells why. Throws
-// Cancelled.
+// RAM is scarce or thin parts take many triangles: these get more of the bytes, and if need be those of view tables. If
+// the name of the field is given, the steps that are done are kept beside it, and found there. Where no surface field
+// can hold the scene or keep to the limits, the plan has no mesh, and `against` tells why. Throws Cancelled.
 SurfacePlan plan_surface(const Scene& scene, const SurfaceSettings& settings, const SurfaceLimits& limits,
                          const ProgressCallback& progress = {}, const std::filesystem::path& output = {});
 
