@@ -156,7 +156,7 @@ TEST_CASE("every source that opens a file for reading or writing tells the file 
             const std::string name = entry.path().filename().string();
             if (entry.path().extension() != ".cpp" || told_by_callers.count(name) > 0) continue;
             const std::string text = content_of(entry.path().string());
-            check(name, text, reads, "note_input(");
+            if (name != "output_file.cpp") check(name, text, reads, "note_input(");  // it looks at what it replaces
             check(name, text, writes, "require_no_input(");
         }
     }

@@ -132,7 +132,7 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
     command
         .add_option("--span", options.drawing.span_px,
                     "Chord fields: pixels between exact hits, 2, 4, 8 or 16; 0 or 1: every pixel is exact")
-        ->type_name("S")
+        ->type_name("0|1|2|4|8|16")
         ->check(one_of({0, 1, 2, 4, 8, 16}))
         ->capture_default_str();
     add_choice<DisplayFormat>(

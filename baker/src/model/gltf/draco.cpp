@@ -29,7 +29,7 @@ public:
         const uint8_t major = byte(5), minor = byte(6), type = byte(7), method = byte(8), flags = byte(10);
         if (major != 2 || minor != 2 || type != 1 || method > 1 || (flags & 0x80) != 0)
             fail(model_, "is no mesh of version 2.2 without metadata");
-        rest_.remove_prefix(kHeadBytes + method);  // the kind of traversal
+        rest_.remove_prefix(std::min(bytes.size(), kHeadBytes + method));  // a byte more says the kind of traversal
         const uint64_t first = number(), second = number();
         if (std::max(first, second) > kMostUnpacked * bytes.size()) fail(model_, "claims more than its bytes can hold");
         elements_ = first + second;
