@@ -48,6 +48,7 @@ bool filter(const GltfMeshopt& packed, std::string& bytes)
 void unpack_meshopt(GltfModel& model, PackedBytes& bytes)
 {
     std::vector<std::pair<GltfView*, std::string_view>> all;  // all claims are checked before anything is unpacked
+    model.buffers.reserve(model.buffers.size() + model.views.size());  // so that the packed bytes stay where they are
     for (GltfView& view : model.views) {
         if (!view.packed) continue;
         const GltfMeshopt& packed = *view.packed;
@@ -57,7 +58,6 @@ void unpack_meshopt(GltfModel& model, PackedBytes& bytes)
         bytes.claim(uint64_t{packed.count} * packed.stride);
         all.emplace_back(&view, from);
     }
-    model.buffers.reserve(model.buffers.size() + all.size());  // so that the packed bytes stay where they are
     for (const auto& [to_view, from] : all) {
         GltfView& view = *to_view;
         const GltfMeshopt& packed = *view.packed;

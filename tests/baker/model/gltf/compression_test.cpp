@@ -163,6 +163,21 @@ TEST_CASE("glTF: what compressed meshes of a file claim in all is refused before
     CHECK_THROWS_WITH(read_gltf(draco, warnings), Catch::Contains("claim to unpack to more than 256 MB"));
 }
 
+TEST_CASE("glTF: a view that meshopt compressed may lie in a buffer of few bytes")
+{
+    GltfMaker maker;
+    maker.view(std::string(12, '\xA0'));
+    const std::string text =
+        "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"EXT_meshopt_compression\"],"
+        "\"buffers\":[{\"byteLength\":12}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":4,\"extensions\":{"
+        "\"EXT_meshopt_compression\":{\"buffer\":0,\"byteLength\":12,\"byteStride\":4,\"count\":1,"
+        "\"mode\":\"ATTRIBUTES\"}}}]}";
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    const auto file = folder.write("m.glb", GltfMaker::glb_of(text, maker.bin()));
+    CHECK_THROWS_WITH(read_gltf(file, warnings), Catch::Contains("is damaged"));
+}
+
 TEST_CASE("glTF: pictures that are too large in all are refused before any is decoded")
 {
     const ScratchFolder folder;
