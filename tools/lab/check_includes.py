@@ -81,6 +81,7 @@ baker/src/trace
 baker/src/store
 baker/src/mesh
 baker/src/fit
+baker/src/shadow
 baker/src/pack
 baker/src/chord
 baker/src/surface

@@ -2,9 +2,9 @@
 // Puts shadows into a field: that of the ground, and those of moving parts.
 #pragma once
 
-#include "fit/ground_shadow.h"
-#include "fit/part_shadows.h"
 #include "pack/surface_writer.h"
+#include "shadow/ground_shadow.h"
+#include "shadow/part_shadows.h"
 
 namespace lumi::baker
 {

@@ -9,9 +9,9 @@
 
 #include <optional>
 
-#include "fit/ground_shadow.h"
-#include "fit/part_shadows.h"
 #include "pack/solution.h"
+#include "shadow/ground_shadow.h"
+#include "shadow/part_shadows.h"
 #include "store/block_file.h"
 
 namespace lumi::baker

@@ -3,7 +3,7 @@
 """baker_mutants.py [--count N] [--minutes M] [--again]
 
 Changes the baker by one operator at a time, as mutants.py changes core, and counts which changes the baker's tests see. N
-of them (60), as many of each kind in each of six folders, are drawn with a fixed seed from files that are no headers;
+of them (60), as many of each kind in each of these folders, are drawn with a fixed seed from files that are no headers;
 constants with a name are choices, and stay. A change is compiled by itself and linked with what the host's tree has. It is
 seen where a test of its folder fails, crashes or takes far longer, else where one of a folder behind it does.
 
@@ -11,7 +11,6 @@ The list is tests/baker/mutants.txt: two lines a change, its name, and what saw 
 next call goes on from there, and ends after M minutes; --again tries the survivors again. At least nine of ten must be
 seen, those aside that are equal.
 """
-import argparse
 import collections
 import itertools
 import json
@@ -24,14 +23,14 @@ import subprocess
 import sys
 import time
 
-from mutants import ROOT, SEED, Builder, mutants_of, name_of, run
+from mutants import ROOT, SEED, Builder, mutants_of, name_of, options_of, run
 
 HOST = ROOT / "build/release"
 BUILD = ROOT / "build/baker_mutants"
 CPU = BUILD / "cpu.json"
 LIST = ROOT / "tests/baker/mutants.txt"
 # The folders whose tests are run for a folder, its own first.
-TESTS = {"fit": ["fit", "surface"], "mesh": ["mesh", "surface"], "pack": ["pack", "fit", "surface"],
+TESTS = {"fit": ["fit", "surface"], "shadow": ["shadow", "surface"], "mesh": ["mesh", "surface"], "pack": ["pack", "fit", "surface"],
          "model": ["model", "scene"], "light": ["light", "trace"], "material": ["material", "trace"]}
 PROGRAM = "tests/baker/lumi_baker_tests"
 CONSTANT = re.compile(r"\s*(?:static )?constexpr [\w:<> ]+ k[A-Z]")
@@ -92,8 +91,8 @@ class Tests:
         words = shlex.split(self.groups[original][1])
         words = [word for word in words[:words.index("-MD")] if "ccache" not in word and word != "-Werror"]
         # Sanitizers see reads behind the end, which these assertions see, too.
-        done = subprocess.run([*words, "-D_GLIBCXX_ASSERTIONS", f"-iquote{pathlib.Path(original).parent}", "-o", out, "-c", source], cwd=HOST,
-                              capture_output=True, check=False)
+        words += ["-D_GLIBCXX_ASSERTIONS", f"-iquote{pathlib.Path(original).parent}", "-o", out, "-c", source]
+        done = subprocess.run(words, cwd=HOST, capture_output=True, check=False)
         return out if done.returncode == 0 else None
 
     def original_object(self, file):
@@ -164,11 +163,7 @@ def write_list(outcomes):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--count", type=int, default=60)
-    parser.add_argument("--minutes", type=float, default=1e9)
-    parser.add_argument("--again", action="store_true")
-    options = parser.parse_args()
+    options = options_of(__doc__, 60)
     outcomes = {name: outcome for name, outcome in read_list().items() if outcome != "not seen" or not options.again}
     skipped = {"does not compile", "same code"}
     end = time.monotonic() + 60 * options.minutes

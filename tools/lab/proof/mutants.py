@@ -308,12 +308,16 @@ def rows_of(results):
     return [{"kind": kind, **rows[kind]} for kind in sorted(rows, key=lambda kind: (kind == "all", kind))]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--count", type=int, default=100)
+def options_of(description, count):
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=count)
     parser.add_argument("--minutes", type=float, default=1e9)
     parser.add_argument("--again", action="store_true")
-    options = parser.parse_args()
+    return parser.parse_args()
+
+
+def main():
+    options = options_of(__doc__, 100)
     results = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else []
     if options.again:
         results = [result for result in results if result["outcome"] != "survived"]

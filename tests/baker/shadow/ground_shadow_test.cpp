@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shadow below an object on a ground that is not drawn.
-#include "fit/ground_shadow.h"
+#include "shadow/ground_shadow.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "fit/part_shadows.h"
+#include "shadow/part_shadows.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fit/encoded_tone.h"
-#include "lumi/surface/format.h"
-#include "math/sampler.h"
 #include "scene/moving_parts.h"
+#include "shadow/receiver.h"
+#include "shadow/taken_light.h"
 #include "trace/path_tracer.h"
 
 namespace lumi::baker
@@ -15,23 +15,13 @@ namespace lumi::baker
 namespace
 {
 
-constexpr float kFlatReceiver = 0.01f;  // radii: a receiver strays by no more
 constexpr float kLift = 0.008f;         // radii above the receiver, whose mesh may stray by as much
-constexpr float kFarthest = 0.5f;       // of the part's reach: a receiver farther off gets no shadow that shows
 constexpr uint32_t kShadowPoses = 8;    // that the shadow is the mean of
 constexpr uint32_t kShadowPaths = 48;   // to a texel in a pose, with the part and without
 constexpr float kFaint = 0.02f;         // a share of the light that no one misses
 constexpr double kExplained = 1.0 / 3;  // of the shadow, squared: a shadow that explains less is dropped
 constexpr uint64_t kShadowSeed = 0x73686164;
-
-// The plane of a receiver, and a frame in it that turns with the part: u along the part's length.
-struct Receiver {
-    Vec3 origin, u, v, normal;  // the axis meets the plane at the origin; the normal looks to the part
-    float gap = 0;              // from there to the part
-
-    Vec3 at(const Vec2& p) const { return origin + u * p.x + v * p.y; }
-    Vec2 of(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
-};
+static_assert(kFewestCells * kFewestCells <= kFewestShadowTexels);
 
 std::vector<Vec3> corners_of(const SceneData& scene, uint32_t owner)
 {
@@ -39,126 +29,6 @@ std::vector<Vec3> corners_of(const SceneData& scene, uint32_t owner)
     for (size_t t = 0; t < scene.mesh.triangle_count(); ++t)
         for (size_t k = 0; k < 3 && scene.moving.owners[t] == owner; ++k) corners.push_back(scene.mesh.position(t, k));
     return corners;
-}
-
-// Nothing if what lies on that side of the part is not flat.
-std::optional<Receiver> receiver_towards(const SceneData& body, const PartMovement& movement,
-                                         const std::vector<Vec3>& corners, float side)
-{
-    constexpr int kRings = 8, kSpokes = 24;
-    constexpr float kAbove = 1e-3f;
-    constexpr double kMostOfAll = 0.6;
-    Receiver receiver;
-    receiver.normal = movement.axis * side;
-    float lowest = std::numeric_limits<float>::infinity(), reach = 0;
-    for (const Vec3& p : corners) {
-        const float height = dot(p - movement.pivot, receiver.normal);
-        lowest = std::min(lowest, height);
-        reach = std::max(reach, length(p - movement.pivot - receiver.normal * height));
-    }
-    if (!(reach > 0)) return std::nullopt;
-    const Frame frame(receiver.normal);
-    std::vector<float> depths;
-    for (int k = 0; k < kRings * kSpokes; ++k) {
-        const float r = reach * (static_cast<float>(k % kRings) + 1) / kRings;
-        const float angle = 2 * kPi * static_cast<float>(k / kRings) / kSpokes;
-        const Vec3 from = movement.pivot + frame.to_world({r * std::cos(angle), r * std::sin(angle), lowest + kAbove});
-        const std::optional<Hit> hit = body.accelerator.closest({from, -receiver.normal});
-        if (hit && hit->distance < kFarthest * reach + kAbove) depths.push_back(hit->distance - kAbove);
-    }
-    if (static_cast<double>(depths.size()) < kMostOfAll * kRings * kSpokes) return std::nullopt;
-    std::nth_element(depths.begin(), depths.begin() + static_cast<ptrdiff_t>(depths.size() / 2), depths.end());
-    receiver.gap = depths[depths.size() / 2];
-    const auto flat = std::count_if(depths.begin(), depths.end(),
-                                    [&](float d) { return std::abs(d - receiver.gap) <= kFlatReceiver; });
-    if (receiver.gap <= 0 || static_cast<double>(flat) < kMostOfAll * kRings * kSpokes) return std::nullopt;
-    receiver.origin = movement.pivot + receiver.normal * (lowest - receiver.gap);
-    return receiver;
-}
-
-// A rectangle of the receiver.
-struct Box {
-    Vec2 low, high;
-
-    Vec2 size() const { return {high.x - low.x, high.y - low.y}; }
-};
-
-Box box_of(const std::vector<Vec3>& corners, const Receiver& receiver)
-{
-    Box box = {{1e9f, 1e9f}, {-1e9f, -1e9f}};
-    for (const Vec3& corner : corners) {
-        const Vec2 p = receiver.of(corner);
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-    }
-    return box;
-}
-
-// Turns the frame so that v is the direction in which the corners lie most spread: what is read beyond a rectangle of
-// texels grows with its columns.
-void turn_along(const std::vector<Vec3>& corners, Receiver& receiver)
-{
-    const Frame frame(receiver.normal);
-    receiver.u = frame.tangent;
-    receiver.v = frame.bitangent;
-    float uu = 0, uv = 0, vv = 0;
-    for (const Vec3& corner : corners) {
-        const Vec2 p = receiver.of(corner);
-        uu += p.x * p.x;
-        uv += p.x * p.y;
-        vv += p.y * p.y;
-    }
-    const float angle = 0.5f * std::atan2(2 * uv, uu - vv);
-    const auto turn_to = [&](const Vec3& u) {
-        receiver.u = u;
-        receiver.v = cross(receiver.normal, u);
-    };
-    turn_to(receiver.u * std::cos(angle) + receiver.v * std::sin(angle));
-    const Vec2 size = box_of(corners, receiver).size();
-    if (size.x > size.y) turn_to(receiver.v);
-}
-
-// A grid of points of the receiver around the part.
-struct Grid {
-    Vec2 low, cell;
-    uint32_t columns = 0, rows = 0;
-
-    Vec2 middle(uint32_t k) const
-    {
-        return {low.x + (static_cast<float>(k % columns) + 0.5f) * cell.x,
-                low.y + (static_cast<float>(k / columns) + 0.5f) * cell.y};
-    }
-    uint32_t size() const { return columns * rows; }
-    bool is_border(uint32_t k) const
-    {
-        const uint32_t x = k % columns, y = k / columns;
-        return x == 0 || y == 0 || x + 1 == columns || y + 1 == rows;
-    }
-};
-
-Grid grid_around(const std::vector<Vec3>& corners, const Receiver& receiver, uint32_t most_texels)
-{
-    constexpr float kMargin = 2.5f, kCell = 0.4f;  // gaps
-    constexpr float kCoarser = 1.1f;
-    constexpr uint32_t kFewestCells = 4;
-    static_assert(kFewestCells * kFewestCells <= kFewestShadowTexels);
-    const Box box = box_of(corners, receiver);
-    const float margin = kMargin * receiver.gap;
-    const Vec2 size = {box.size().x + 2 * margin, box.size().y + 2 * margin};
-    const auto cells = [](float side, float cell) {
-        return static_cast<uint32_t>(
-            std::clamp(std::ceil(side / cell), float{kFewestCells}, float{detail::format::kMaxPatchSide}));
-    };
-    Grid grid;
-    float cell = kCell * receiver.gap;
-    do {
-        grid.columns = cells(size.x, cell);
-        grid.rows = cells(size.y, cell);
-        cell *= kCoarser;
-    } while (grid.size() > most_texels);
-    grid.low = {box.low.x - margin, box.low.y - margin};
-    grid.cell = {size.x / static_cast<float>(grid.columns), size.y / static_cast<float>(grid.rows)};
-    return grid;
 }
 
 // What a part takes away in one pose: by point of the grid, which turns with it, the share of light; and the light.
@@ -171,7 +41,7 @@ class ShadowTracer
 {
 public:
     ShadowTracer(const SceneData& scene, const SceneData& body, uint32_t part, const Receiver& receiver,
-                 const Grid& grid, uint64_t seed)
+                 const ShadowGrid& grid, uint64_t seed)
         : scene_(scene), body_(body), part_(part), receiver_(receiver), grid_(grid), seed_(seed)
     {
     }
@@ -208,50 +78,27 @@ private:
         });
     }
 
-    // Paths begin so near the receiver that nothing else is met; both kinds draw the same numbers.
+    // Paths begin so near the receiver that nothing else is met.
     void measure(const Vec3& place, uint32_t k, const PathTracer& with, const PathTracer& without, Shade& shade) const
     {
         const float start = std::min(kFlatReceiver + 1e-3f, 0.5f * receiver_.gap);
         const Ray ray = {place + receiver_.normal * start, -receiver_.normal};
         const std::optional<Hit> hit = body_.accelerator.closest(ray);
         if (!hit || hit->distance > start + kFlatReceiver) return;
-        float lit = 0, all = 0;
-        for (uint32_t path = 0; path < kShadowPaths; ++path) {
-            Sampler first(seed_ + kShadowSeed, k, 0), second(seed_ + kShadowSeed, k, 0);
-            first.start(path);
-            second.start(path);
-            lit += luminance(with.trace(ray, first).radiance);
-            all += luminance(without.trace(ray, second).radiance);
-        }
-        shade.light[k] = all / kShadowPaths;
-        shade.taken[k] = all > 0 ? std::clamp(1 - lit / all, 0.0f, 1.0f) : 0;
+        const TakenLight light = taken_light(ray, with, without, {kShadowPaths, seed_ + kShadowSeed, k});
+        shade.light[k] = light.without;
+        shade.taken[k] = light.taken;
     }
 
     const SceneData &scene_, &body_;
     const uint32_t part_;
     const Receiver& receiver_;
-    const Grid& grid_;
+    const ShadowGrid& grid_;
     const uint64_t seed_;
 };
 
-// Interpolated between the grid's points; nothing outside.
-float value_at(const std::vector<float>& values, const Grid& grid, const Vec2& p)
-{
-    const float x = (p.x - grid.low.x) / grid.cell.x - 0.5f, y = (p.y - grid.low.y) / grid.cell.y - 0.5f;
-    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
-    float sum = 0;
-    for (int k = 0; k < 4; ++k) {
-        const int c = column + k % 2, r = row + k / 2;
-        if (c < 0 || r < 0 || c >= static_cast<int>(grid.columns) || r >= static_cast<int>(grid.rows)) continue;
-        const float right = x - static_cast<float>(column), below = y - static_cast<float>(row);
-        const float weight = (k % 2 == 0 ? 1 - right : right) * (k / 2 == 0 ? 1 - below : below);
-        sum += weight * values[static_cast<size_t>(r) * grid.columns + static_cast<size_t>(c)];
-    }
-    return sum;
-}
-
 // The mean over poses of what is taken, each pose's picture moved back by the shift, which does not turn.
-std::vector<float> aligned_mean(const std::vector<Shade>& shades, const Grid& grid, const Vec2& shift)
+std::vector<float> aligned_mean(const std::vector<Shade>& shades, const ShadowGrid& grid, const Vec2& shift)
 {
     std::vector<float> mean(grid.size(), 0);
     for (const Shade& shade : shades) {
@@ -273,7 +120,7 @@ double energy(const std::vector<float>& values)
 }
 
 // The shift for which the mean of the poses holds most of them.
-Vec2 best_shift(const std::vector<Shade>& shades, const Grid& grid, float gap)
+Vec2 best_shift(const std::vector<Shade>& shades, const ShadowGrid& grid, float gap)
 {
     constexpr int kSteps = 8;  // to either side, up to two gaps
     Vec2 best;
@@ -294,7 +141,7 @@ struct Cells {
     uint32_t left, top, right, bottom;
 };
 
-Grid part_of(const Grid& grid, const Cells& cells, std::vector<float>& values)
+ShadowGrid part_of(const ShadowGrid& grid, const Cells& cells, std::vector<float>& values)
 {
     std::vector<float> kept;
     for (uint32_t y = cells.top; y < cells.bottom; ++y)
@@ -307,7 +154,7 @@ Grid part_of(const Grid& grid, const Cells& cells, std::vector<float>& values)
 
 // What of a grid keeps its corners inside: a field holds nothing outside of the sphere. Nothing if that is too little.
 template <class IsInside>
-std::optional<Grid> within(const Grid& grid, const IsInside& is_inside, std::vector<float>& values)
+std::optional<ShadowGrid> within(const ShadowGrid& grid, const IsInside& is_inside, std::vector<float>& values)
 {
     constexpr uint32_t kFewest = 4;
     uint32_t left = 0, right = grid.columns, top = 0, bottom = grid.rows;
@@ -330,7 +177,7 @@ std::optional<Grid> within(const Grid& grid, const IsInside& is_inside, std::vec
 }
 
 // What of a grid has a shadow, and a border without: a pixel costs its time also where nothing is to be seen.
-Grid shown(const Grid& grid, std::vector<float>& values)
+ShadowGrid shown(const ShadowGrid& grid, std::vector<float>& values)
 {
     Cells cells = {grid.columns, grid.rows, 0, 0};
     for (uint32_t k = 0; k < grid.size(); ++k) {
@@ -375,15 +222,10 @@ public:
             return std::nullopt;
         }
         const std::vector<Vec3> corners = corners_of(scene_, part + 1);
-        std::optional<Receiver> receiver;
-        for (const float side : {1.0f, -1.0f}) {
-            const std::optional<Receiver> one = receiver_towards(*body_, movement, corners, side);
-            if (one && (!receiver || one->gap < receiver->gap)) receiver = one;
-        }
+        const std::optional<Receiver> receiver = receiver_of(*body_, movement, corners);
         why = "nothing flat lies across its axis near it";
         if (!receiver) return std::nullopt;
-        turn_along(corners, *receiver);
-        const Grid grid = grid_around(corners, *receiver, most_texels_);
+        const ShadowGrid grid = grid_around(corners, *receiver, most_texels_);
         const std::vector<Shade> shades =
             ShadowTracer(scene_, *body_, part, *receiver, grid, settings_.seed).traced(job_);
         const Vec2 shift = best_shift(shades, grid, receiver->gap);
@@ -395,7 +237,7 @@ public:
         why = "it reaches out of the sphere";
         const Vec3 moved = receiver->u * shift.x + receiver->v * shift.y;
         constexpr float kInside = 0.999f;
-        const std::optional<Grid> inside = within(
+        const std::optional<ShadowGrid> inside = within(
             grid, [&](const Vec2& p) { return length(receiver->at(p) + moved + lift(*receiver)) < kInside; }, mean);
         if (!inside) return std::nullopt;
         why = "it is too faint to be seen";
@@ -406,11 +248,10 @@ public:
 private:
     static Vec3 lift(const Receiver& receiver) { return receiver.normal * std::min(kLift, 0.4f * receiver.gap); }
 
-    PartShadow shadow_of(uint32_t part, const Receiver& receiver, const Grid& grid, const Vec3& moved,
+    PartShadow shadow_of(uint32_t part, const Receiver& receiver, const ShadowGrid& grid, const Vec3& moved,
                          const std::vector<float>& taken, float light) const
     {
         const EncodedTone tone(scene_.tone);
-        const auto levels = [&](float l) { return std::min(tone.encoded(grey(l))[1], 255.0f); };
         PartShadow shadow;
         shadow.part = part;
         shadow.pivot = scene_.moving.motions[part].pivot + moved;
@@ -421,8 +262,7 @@ private:
         shadow.rows = grid.rows;
         for (uint32_t k = 0; k < grid.size(); ++k) {
             const float rest = grid.is_border(k) || taken[k] < kFaint ? 1 : 1 - taken[k];
-            const float share = levels(light) > 0 ? levels(light * rest) / levels(light) : 1;
-            shadow.passed.push_back(static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0f, 1.0f))));
+            shadow.passed.push_back(passed_share(tone, light, rest));
         }
         return shadow;
     }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "fit/ground_shadow.h"
+#include "shadow/ground_shadow.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fit/encoded_tone.h"
 #include "fit/fit_shape.h"
-#include "math/sampler.h"
 #include "math/warp.h"
 #include "scene/moving_parts.h"
 #include "scene/placement.h"
-#include "trace/path_tracer.h"
+#include "shadow/taken_light.h"
 
 namespace lumi::baker
 {
@@ -119,23 +117,15 @@ public:
     }
 
 private:
-    // Both kinds of paths draw the same numbers.
     void measure(uint32_t x, uint32_t y)
     {
         const Ray ray = {shadow_.place(x, y) - Vec3{0, 0, 0.5f * kGap}, {0, 0, -1}};
         const uint32_t k = y * taken_.side + x;
-        float lit = 0, all = 0;
-        for (uint32_t path = 0; path < kGroundPaths; ++path) {
-            Sampler first(seed_ + kGroundSeed, k, 0), second(seed_ + kGroundSeed, k, 0);
-            first.start(path);
-            second.start(path);
-            lit += luminance(with_.trace(ray, first).radiance);
-            all += luminance(without_.trace(ray, second).radiance);
-        }
+        const TakenLight light = taken_light(ray, with_, without_, {kGroundPaths, seed_ + kGroundSeed, k});
         const std::optional<Hit> above = object_->accelerator.closest({ray.origin, {0, 0, 1}});
         taken_.is_hidden[k] = above && above->distance < kTouching ? 1 : 0;
-        light_[k] = all / kGroundPaths;
-        taken_.values[k] = all > 0 ? std::clamp(1 - lit / all, 0.0f, 1.0f) : 0;
+        light_[k] = light.without;
+        taken_.values[k] = light.taken;
     }
 
     const std::unique_ptr<SceneData> object_, ground_;
@@ -207,19 +197,14 @@ GroundShadow ground_shadow(const SceneData& scene, const PatchMesh& mesh, const 
     tracer.trace(job);
     const EncodedTone tone(scene.tone);
     const float light = tracer.mean_light();
-    const auto levels = [&](float l) { return std::min(tone.encoded(grey(l))[1], 255.0f); };
-    const float unshaded = levels(light);
-    if (!(unshaded > 0)) {
+    if (!(light > 0)) {
         shadow.notes.emplace_back("the ground has no shadow: no light reaches it");
         shadow.passed.clear();
         return shadow;
     }
-    for (uint32_t y = 0; y < side; ++y) {
-        for (uint32_t x = 0; x < side; ++x) {
-            const float share = levels(light * (1 - tracer.taken(x, y))) / unshaded;
-            shadow.passed[shadow.texel(x, y)] = static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)));
-        }
-    }
+    for (uint32_t y = 0; y < side; ++y)
+        for (uint32_t x = 0; x < side; ++x)
+            shadow.passed[shadow.texel(x, y)] = passed_share(tone, light, 1 - tracer.taken(x, y));
     return shadow;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shadows that move with their parts.
-#include "fit/part_shadows.h"
+#include "shadow/part_shadows.h"
 
 #include <catch2/catch.hpp>
 
