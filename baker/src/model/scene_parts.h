@@ -32,7 +32,7 @@ struct NamedPart {
     std::string name;
     size_t first = 0, end = 0;
     std::optional<Affine> frame = std::nullopt;  // of a node: from its axes to those of the scene
-    bool is_bent = false;                        // by a skin
+    size_t bent_end = 0;                         // from `first` on, what a skin bends; 0: nothing
 };
 
 // A camera of the file: from its axes (it looks along -z, y up) to those of the scene, with scale or shear if the file

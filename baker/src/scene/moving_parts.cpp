@@ -29,9 +29,10 @@ public:
             fail(options, "is one more than a field holds, " + std::to_string(detail::format::kMaxParts));
         const std::vector<bool> chosen = triangles_named(options.name, file_, parts_);
         for (const NamedPart& part : parts_.named)
-            if (part.is_bent && part.name == options.name)
-                fail(options,
-                     "is bent by a skin, and parts that move are rigid; give the rigid piece an object of its own");
+            for (size_t t = part.first; t < part.bent_end; ++t)
+                if (chosen[t])
+                    fail(options,
+                         "is bent by a skin, and parts that move are rigid; give a rigid piece an object of its own");
         moving.owners.resize(chosen.size(), 0);
         moving.motions.push_back(motion_of(options));
         for (size_t t = 0; t < chosen.size(); ++t) {

@@ -121,6 +121,7 @@ void append(SceneParts& parts, SceneParts&& other)
     for (NamedPart& part : other.named) {
         part.first += parts.mesh.triangle_count();
         part.end += parts.mesh.triangle_count();
+        if (part.bent_end != 0) part.bent_end += parts.mesh.triangle_count();
     }
     extend(parts.named, other.named);
     extend(parts.views, other.views);

@@ -65,6 +65,7 @@ private:
             const int32_t part = begin_part(node, place, next.part);
             if (node.mesh != kNoIndex) meshes_.add(node, place);
             parts_.named.back().end = parts_.mesh.triangle_count();
+            if (node.skin != kNoIndex) parts_.named.back().bent_end = parts_.mesh.triangle_count();
             if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, part});
@@ -88,9 +89,8 @@ private:
     {
         for (size_t part = parents_.size(); part-- > 0;) {
             if (parents_[part] == kNoIndex) continue;
-            NamedPart& above = parts_.named[static_cast<size_t>(parents_[part])];
-            above.end = std::max(above.end, parts_.named[part].end);
-            above.is_bent = above.is_bent || parts_.named[part].is_bent;
+            size_t& end = parts_.named[static_cast<size_t>(parents_[part])].end;
+            end = std::max(end, parts_.named[part].end);
         }
     }
 

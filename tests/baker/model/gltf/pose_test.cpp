@@ -113,6 +113,8 @@ TEST_CASE("glTF: what a skin bends is refused as a part that moves")
     options.parts = {part};
     std::vector<std::string> warnings;
     CHECK_THROWS_WITH(load_scene(file, options, warnings), Catch::Contains("'sleeve' is bent by a skin"));
+    const std::string scene = folder.write("s.json", "{\"objects\": [{\"obj\": \"m.glb\"}, {\"obj\": \"m.glb\"}]}");
+    CHECK_THROWS_WITH(load_scene(scene, options, warnings), Catch::Contains("'sleeve' is bent by a skin"));
 }
 
 TEST_CASE("glTF: a skin that cannot be posed is refused by its name")
