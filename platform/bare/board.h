@@ -20,7 +20,7 @@ void send(const uint8_t* pixels, uint32_t bytes);
 // ends. Nobody has set a board's clock: it starts at kFirstSecond.
 bool next_second(lumi::Orbit& orbit, uint32_t& second);
 // What is sent next are the pixels of this rectangle, row by row.
-void begin(const lumi::PixelRect& rect);
+void set_window(const lumi::PixelRect& window);
 constexpr uint32_t kFirstSecond = (10 * 60 + 8) * 60 + 57;
 
 // The frames that every example draws, where nobody turns the object: tools/lab/devices.sh compares their pictures.

@@ -96,11 +96,11 @@ void wait_for_byte()
 }
 
 int frame = -1;
-uint32_t begun, in_display;
+uint32_t begin, in_display;
 
 void end_frame()
 {
-    const uint32_t spent = ((ticks() - begun) & kSysTickReload) - in_display;
+    const uint32_t spent = ((ticks() - begin) & kSysTickReload) - in_display;
     lumi::firmware::TextLine line;
     line.text("frame ").decimal(static_cast<uint32_t>(frame)).text(" instructions ");
     line.decimal(uint64_t{spent} * kInstructionsPerTick).text(" stack ").decimal(used_stack_bytes());
@@ -121,7 +121,7 @@ bool board::next_view(lumi::Orbit& orbit)
     if (++frame == kFrames) return false;
     orbit = view_of_frame(frame);
     in_display = 0;
-    begun = ticks();
+    begin = ticks();
     return true;
 }
 

@@ -117,10 +117,10 @@ bool board::next_second(lumi::Orbit& orbit, uint32_t& second)
     return true;
 }
 
-void board::begin(const lumi::PixelRect& rect)
+void board::set_window(const lumi::PixelRect& window)
 {
-    set_range(kColumns, rect.x_px, rect.width_px);
-    set_range(kRows, rect.y_px, rect.height_px);
+    set_range(kColumns, window.x_px, window.width_px);
+    set_range(kRows, window.y_px, window.height_px);
     command(kWritePixels);
 }
 

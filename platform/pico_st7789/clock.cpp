@@ -29,7 +29,7 @@ static bool draw(const PixelRect& rect)
     const auto stride = static_cast<uint32_t>(2 * rect.width_px);
     const int32_t end = rect.y_px + rect.height_px, most = view.rows_at(rect.width_px);
     uint32_t number = 0;
-    board::begin(rect);
+    board::set_window(rect);
     for (int32_t y = rect.y_px; y < end; y += most, ++number) {
         const int32_t rows = end - y < most ? end - y : most;
         uint8_t* const stripe = stripes[number % 2];

@@ -27,11 +27,11 @@ uint64_t instructions()
 
 int frame = -1;
 int32_t file = -1;
-uint64_t begun, in_display;
+uint64_t begin, in_display;
 
 void end_frame()
 {
-    const uint64_t spent = instructions() - begun - in_display;
+    const uint64_t spent = instructions() - begin - in_display;
     const uint32_t close[] = {static_cast<uint32_t>(file)};
     call(Operation::close, close);
     TextLine line;
@@ -51,7 +51,7 @@ bool board::next_view(lumi::Orbit& orbit)
     file = call(Operation::open, open);
     if (file < 0) board_stop(1);
     in_display = 0;
-    begun = instructions();
+    begin = instructions();
     return true;
 }
 

@@ -130,18 +130,18 @@ Now now()
 bool board::next_view(lumi::Orbit& orbit)
 {
     if (frame < 0)
-        ::begin();
+        begin();
     else if (end_frame(); !turn())
         return false;
     begin_frame(orbit);
-    begin({0, 0, options.width_px, options.height_px});
+    set_window({0, 0, options.width_px, options.height_px});
     return true;
 }
 
 bool board::next_second(lumi::Orbit& orbit, uint32_t& second)
 {
     if (frame < 0)
-        ::begin();
+        begin();
     else if (end_frame(); !turn(now().left_ms))
         return false;
     if (!options.window) current = view_of_frame(0);
@@ -150,12 +150,12 @@ bool board::next_second(lumi::Orbit& orbit, uint32_t& second)
     return true;
 }
 
-void board::begin(const lumi::PixelRect& rect)
+void board::set_window(const lumi::PixelRect& window)
 {
     check_sent();
-    target = rect;
+    target = window;
     sent = 0;
-    expected = size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(rect.width_px * rect.height_px);
+    expected = size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(window.width_px * window.height_px);
 }
 
 void board::send(const uint8_t* pixels, uint32_t bytes)
