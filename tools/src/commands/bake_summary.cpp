@@ -223,27 +223,15 @@ namespace
 // bake's share moves until its light shows a pace.
 constexpr double kUsualPace = 3e5;
 constexpr double kMeasuredPaths = 1e6, kMeasuredAtOnce = 3;  // and how many times faster than a bake's they are
-constexpr double kSilentSeconds = 1.5;
+constexpr double kSilentSeconds = 1.5, kTellsAgainSeconds = 0.5;
 
 }  // namespace
 
 BakeProgress::BakeProgress(const BakeOptions& options)
     : options_(options), time_({0, 0, 0}), people_(stderr, stderr_is_terminal())
 {
-    try {
-        teller_ = std::thread([this] { tell_again(); });
-    } catch (const std::system_error&) {
-    }
-}
-
-BakeProgress::~BakeProgress()
-{
-    {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        ends_ = true;
-    }
-    ended_.notify_all();
-    if (teller_.joinable()) teller_.join();
+    teller_.emplace(
+        mutex_, kTellsAgainSeconds, [this] { return tell_again(); });
 }
 
 void BakeProgress::expect(size_t triangles, uint64_t bytes)
@@ -297,19 +285,17 @@ void BakeProgress::print(const baker::Progress& whole)
     machines_ ? machines_->print(whole) : people_.print(whole);
 }
 
-void BakeProgress::tell_again()
+double BakeProgress::tell_again()
 {
-    constexpr auto kInterval = std::chrono::milliseconds(500);
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (!ended_.wait_for(lock, kInterval, [this] { return ends_; })) {
-        const double now = seconds();
-        if (!last_seconds_ || now - *last_seconds_ < kSilentSeconds) continue;
+    const double now = seconds();
+    if (last_seconds_ && now - *last_seconds_ >= kSilentSeconds) {
         baker::Progress later = last_;
         later.elapsed_seconds = now;
         later.rays_per_second = 0;
         if (later.eta_seconds >= 0) later.eta_seconds = std::max(0.0, last_.eta_seconds - (now - *last_seconds_));
         print(later);
     }
+    return kTellsAgainSeconds;
 }
 
 size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, bool takes_surface)

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 
 #include "commands/bake_options.h"
 #include "terminal/progress_printer.h"
@@ -25,7 +23,6 @@ public:
     using Clock = std::chrono::steady_clock;
 
     explicit BakeProgress(const BakeOptions& options);
-    ~BakeProgress();
     BakeProgress(const BakeProgress&) = delete;
     BakeProgress& operator=(const BakeProgress&) = delete;
 
@@ -52,7 +49,7 @@ private:
     void end();
     bool tell(const baker::Progress& progress);
     void print(const baker::Progress& whole);
-    void tell_again();
+    double tell_again();  // returns the seconds until the next time
 
     const BakeOptions& options_;
     const Clock::time_point start_ = Clock::now();
@@ -63,9 +60,7 @@ private:
     std::optional<JsonProgress> machines_;
     baker::Progress last_;
     std::optional<double> last_seconds_;  // nothing between steps
-    bool ends_ = false;
-    std::condition_variable ended_;
-    std::thread teller_;  // where the system has no thread left, nothing is told again
+    std::optional<Teller> teller_;        // the last: it uses all else
 };
 
 // A bake that is done.

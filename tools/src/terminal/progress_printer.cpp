@@ -112,22 +112,41 @@ baker::ProgressCallback watch_interrupt()
     return [](const baker::Progress&) { return !interrupt_flag().load(std::memory_order_relaxed); };
 }
 
-Waiting::Waiting(std::string what) : what_(std::move(what))
+Teller::Teller(std::mutex& mutex, double first_seconds, std::function<double()> tell)
+    : mutex_(mutex), tell_(std::move(tell))
 {
     try {
-        teller_ = std::thread([this] { tell(); });
+        thread_ = std::thread([this, first_seconds] { run(first_seconds); });
     } catch (const std::system_error&) {
     }
 }
 
-Waiting::~Waiting()
+Teller::~Teller()
 {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
         ends_ = true;
     }
     ended_.notify_all();
-    if (teller_.joinable()) teller_.join();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Teller::run(double seconds)
+{
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!ended_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return ends_; })) seconds = tell_();
+}
+
+Waiting::Waiting(std::string what) : what_(std::move(what))
+{
+    teller_.emplace(
+        mutex_, kSilentSeconds, [this] { return tell(); });
+}
+
+Waiting::~Waiting()
+{
+    teller_.reset();
+    if (has_told_ && stderr_is_terminal()) std::fputs("\r\x1b[K", stderr);
 }
 
 void Waiting::now(std::string what)
@@ -136,22 +155,16 @@ void Waiting::now(std::string what)
     what_ = std::move(what);
 }
 
-void Waiting::tell()
+double Waiting::tell()
 {
     using Seconds = std::chrono::duration<double>;
-    const auto begin = std::chrono::steady_clock::now();
     const bool is_terminal = stderr_is_terminal();
-    std::unique_lock<std::mutex> lock(mutex_);
-    bool has_told = false;
-    for (double wait = kSilentSeconds; !ended_.wait_for(lock, Seconds(wait), [this] { return ends_; });) {
-        const std::string time = duration_text(Seconds(std::chrono::steady_clock::now() - begin).count());
-        const std::string line = what_.substr(0, columns_of(stderr) - time.size() - 3) + "  " + time;
-        std::fprintf(stderr, is_terminal ? "\r%s\x1b[K" : "%s\n", line.c_str());
-        std::fflush(stderr);
-        has_told = true;
-        wait = is_terminal ? 1 : kSecondsBetweenLines;
-    }
-    if (has_told && is_terminal) std::fputs("\r\x1b[K", stderr);
+    const std::string time = duration_text(Seconds(std::chrono::steady_clock::now() - begin_).count());
+    const std::string line = what_.substr(0, columns_of(stderr) - time.size() - 3) + "  " + time;
+    std::fprintf(stderr, is_terminal ? "\r%s\x1b[K" : "%s\n", line.c_str());
+    std::fflush(stderr);
+    has_told_ = true;
+    return is_terminal ? 1 : kSecondsBetweenLines;
 }
 
 bool stderr_is_terminal()

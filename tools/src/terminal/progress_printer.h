@@ -2,9 +2,12 @@
 // Shows a person or a machine how far a bake is.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -77,6 +80,26 @@ private:
     bool tells_eta_ = false;              // as soon as one part knows its time, others are estimated
 };
 
+// Calls `tell` again and again from a thread of its own, with the mutex locked, until this is gone. `tell` returns the
+// seconds until it is called next. Where the system has no thread left, it is not called.
+class Teller
+{
+public:
+    Teller(std::mutex& mutex, double first_seconds, std::function<double()> tell);
+    ~Teller();
+    Teller(const Teller&) = delete;
+    Teller& operator=(const Teller&) = delete;
+
+private:
+    void run(double seconds);
+
+    std::mutex& mutex_;
+    const std::function<double()> tell_;
+    std::condition_variable ended_;
+    bool ends_ = false;
+    std::thread thread_;
+};
+
 // Tells on stderr what a command does that is not done after two seconds, and for how long: on a terminal each second,
 // in a line that vanishes with this, else every few seconds in a line of its own.
 class Waiting
@@ -90,13 +113,13 @@ public:
     void now(std::string what);
 
 private:
-    void tell();
+    double tell();
 
+    const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::mutex mutex_;
-    std::condition_variable ended_;
     std::string what_;
-    bool ends_ = false;
-    std::thread teller_;  // where the system has no thread left, nothing is told
+    bool has_told_ = false;
+    std::optional<Teller> teller_;
 };
 
 // Whether stderr is a terminal.
