@@ -19,7 +19,7 @@ constexpr uint64_t kGroundSeed = 0x67726F756E64;
 constexpr float kGap = 1e-3f;           // radii below the lowest point: paths begin between both
 constexpr float kGroundAlbedo = 0.5f;   // between those of dark and bright tables
 constexpr uint32_t kGroundPaths = 128;  // to a texel, with the object and without
-constexpr float kFadeBegins = 0.55f;    // share of the disc's radius
+constexpr float kFade = 0.35f;          // radii from the disc's rim in which the shadow fades out; at most all of it
 constexpr float kTouching = 0.03f;      // radii: what lies so low hides the ground
 constexpr float kSmallestDisc = 0.1f;   // radii
 constexpr float kDiscInside = 0.998f;   // share of the disc that is used: vertices are rounded
@@ -110,8 +110,8 @@ public:
     float taken(uint32_t x, uint32_t y)
     {
         const Vec3 p = shadow_.place(x, y);
-        const float r = std::sqrt(p.x * p.x + p.y * p.y) / shadow_.radius;
-        const float t = std::clamp((1 - r) / (1 - kFadeBegins), 0.0f, 1.0f);
+        const float to_rim = shadow_.radius - std::sqrt(p.x * p.x + p.y * p.y);
+        const float t = std::clamp(to_rim / std::min(kFade, shadow_.radius), 0.0f, 1.0f);
         const float share = taken_.values[y * taken_.side + x] * t * t * (3 - 2 * t);
         return share < kUnseenShade ? 0 : share;
     }
