@@ -44,7 +44,7 @@ int16_t q12(float v)
 
 SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap)
     : lit_(scene),
-      scene_(lit_.of(0)),
+      scene_(lit_.body()),
       shape_(shape),
       cap_(cap),
       see_through_(shape.mesh.see_through_patches != 0 ? see_through_materials(scene_) : std::vector<bool>()),
@@ -53,7 +53,7 @@ SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const 
       tracer_(scene_)
 {
     for (uint32_t owner = 1; owner <= shape.mesh.parts.size(); ++owner)
-        parts_.push_back(std::make_unique<PartTracer>(lit_.of(owner), shape.mesh, owner));
+        parts_.push_back(std::make_unique<PartTracer>(lit_.poses(owner), shape.mesh, owner));
 }
 
 std::optional<Ray> SampleTracer::ray(Sampler& sampler) const
@@ -107,23 +107,26 @@ std::optional<SampleTracer::Line> SampleTracer::see_through_line(const Ray& ray,
     return line;
 }
 
-SampleTracer::PartTracer::PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner)
-    : scene(lit), mesh(triangles_of(of, owner, numbers), Faces::front), tracer(lit)
+SampleTracer::PartTracer::PartTracer(const std::vector<LitPose>& lit, const PatchMesh& of, uint32_t owner)
+    : poses(lit), light_stays(of.parts[owner - 1].light_stays), mesh(triangles_of(of, owner, numbers), Faces::front)
 {
 }
 
 // Begins just before the part: what stands farther off hides it in this pose, and may not in another.
-std::optional<SampleTracer::Line> SampleTracer::line_to_part(Ray ray, const PartTracer& part, Sampler sampler)
+std::optional<SampleTracer::PartLine> SampleTracer::line_to_part(const Ray& ray, const PartTracer& part,
+                                                                 Sampler& sampler) const
 {
     constexpr float kBefore = 2 * kMaxDepthError;
-    std::optional<Hit> hit = part.mesh.closest(ray);
+    const auto number = static_cast<size_t>(sampler.next_1d() * static_cast<float>(part.poses.size()));
+    const LitPose& pose = part.poses[std::min(number, part.poses.size() - 1)];
+    std::optional<Hit> hit = cap_.sees(pose.posed(ray)) ? part.mesh.closest(ray) : std::nullopt;
     if (!hit) return std::nullopt;
     const float start = std::max(0.0f, hit->distance - kBefore);
-    ray.origin = ray.origin + ray.direction * start;
+    const Ray near = {ray.origin + ray.direction * start, ray.direction}, posed = pose.posed(near);
     hit->distance -= start;
     hit->triangle = part.numbers[hit->triangle];
-    const bool is_there = std::abs(first_meeting(part.scene, ray, sampler) - hit->distance) <= kMaxDepthError;
-    return is_there ? std::optional<Line>({ray, *hit, grey(1)}) : std::nullopt;
+    const bool is_there = std::abs(first_meeting(*pose.scene, posed, sampler) - hit->distance) <= kMaxDepthError;
+    return is_there ? std::optional<PartLine>({{near, *hit, grey(1)}, posed, &pose}) : std::nullopt;
 }
 
 uint32_t SampleTracer::texel_of(const Hit& hit) const
@@ -136,9 +139,9 @@ bool SampleTracer::scene_is_there(const Line& line, Sampler sampler) const
     return std::abs(first_meeting(scene_, line.ray, sampler) - line.hit.distance) <= kMaxDepthError;
 }
 
-FitSample SampleTracer::sample(const Line& line, const PathResult& path) const
+FitSample SampleTracer::sample(const Line& line, const Ray& seen, const PathResult& path) const
 {
-    const Vec3 eye = eye_of(line.ray);
+    const Vec3 eye = eye_of(seen);
     return {line.hit.triangle,
             texel_of(line.hit),
             q12(line.hit.u),
@@ -148,22 +151,36 @@ FitSample SampleTracer::sample(const Line& line, const PathResult& path) const
             before_panes(path.matt, line.panes)};
 }
 
+std::optional<FitSample> SampleTracer::sample_of_body(const Ray& ray, uint32_t patch, Sampler& sampler) const
+{
+    const std::optional<Line> l = cap_.sees(ray) ? line(ray, sampler) : std::nullopt;
+    if (!l || l->hit.triangle / 2 != patch) return std::nullopt;
+    const PathResult path = tracer_.trace(l->ray, sampler);
+    return path.covered ? std::optional<FitSample>(sample(*l, l->ray, path)) : std::nullopt;
+}
+
+std::optional<FitSample> SampleTracer::sample_of_part(const Ray& ray, uint32_t patch, const PartTracer& part,
+                                                      Sampler& sampler) const
+{
+    const std::optional<PartLine> l = line_to_part(ray, part, sampler);
+    if (!l || l->own.hit.triangle / 2 != patch) return std::nullopt;
+    const PathResult path = PathTracer(*l->pose->scene).trace(l->posed, sampler);
+    if (!path.covered) return std::nullopt;
+    return sample(l->own, part.light_stays ? l->posed : l->own.ray, path);
+}
+
 void SampleTracer::trace(uint64_t seed, uint32_t patch, uint32_t texel, uint32_t lines,
                          std::vector<FitSample>& samples) const
 {
     Sampler sampler(seed, patch, 0);
     const uint32_t owner = shape_.mesh.owner_of(patch);
-    const PartTracer* const part = owner == 0 ? nullptr : parts_[owner - 1].get();
-    const auto line_along = [&](const Ray& ray) {
-        return part == nullptr ? line(ray, sampler) : line_to_part(ray, *part, sampler);
-    };
     for (uint32_t k = 0; k < lines; ++k) {
         sampler.start(texel * lines + k);
         const std::optional<Ray> ray = texel_line(shape_, patch, texel, sampler);
-        const std::optional<Line> l = ray && cap_.sees(*ray) ? line_along(*ray) : std::nullopt;
-        if (!l || l->hit.triangle / 2 != patch) continue;
-        const PathResult path = (part == nullptr ? tracer_ : part->tracer).trace(l->ray, sampler);
-        if (path.covered) samples.push_back(sample(*l, path));
+        if (!ray) continue;
+        const std::optional<FitSample> sample = owner == 0 ? sample_of_body(*ray, patch, sampler)
+                                                           : sample_of_part(*ray, patch, *parts_[owner - 1], sampler);
+        if (sample) samples.push_back(*sample);
     }
 }
 

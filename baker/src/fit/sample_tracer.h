@@ -62,14 +62,23 @@ private:
         Rgb panes;  // what panes before it make of a path's light
     };
     struct PartTracer {
-        PartTracer(const SceneData& lit, const PatchMesh& of, uint32_t owner);
+        PartTracer(const std::vector<LitPose>& lit, const PatchMesh& of, uint32_t owner);
 
-        const SceneData& scene;  // the body and this part
+        const std::vector<LitPose>& poses;
+        const bool light_stays;
         std::vector<uint32_t> numbers;
         MeshTracer mesh;
-        PathTracer tracer;
     };
-    static std::optional<Line> line_to_part(Ray ray, const PartTracer& part, Sampler sampler);
+    // The line in the part's own pose, and the same in one of those that light it.
+    struct PartLine {
+        Line own;
+        Ray posed;
+        const LitPose* pose;
+    };
+    std::optional<PartLine> line_to_part(const Ray& ray, const PartTracer& part, Sampler& sampler) const;
+    std::optional<FitSample> sample_of_part(const Ray& ray, uint32_t patch, const PartTracer& part,
+                                            Sampler& sampler) const;
+    std::optional<FitSample> sample_of_body(const Ray& ray, uint32_t patch, Sampler& sampler) const;
     std::optional<Ray> ray(Sampler& sampler) const;
     std::optional<Line> line(const Ray& ray, Sampler& sampler) const;
     std::optional<Line> line_to_mesh(const Ray& ray) const;
@@ -80,7 +89,8 @@ private:
     std::optional<Line> line_to(const Ray& ray, const Hit& in_scene) const;
     bool is_see_through(const Hit& in_scene) const;
     uint32_t texel_of(const Hit& hit) const;
-    FitSample sample(const Line& line, const PathResult& path) const;
+    // `seen`: the ray to an eye, for which view tables are read.
+    FitSample sample(const Line& line, const Ray& seen, const PathResult& path) const;
 
     const LitScenes lit_;
     const SceneData& scene_;  // the body

@@ -240,10 +240,26 @@ BuiltMesh standing_mesh(const SceneData& scene, const MeshSettings& settings, Ba
     }
 }
 
-MovingPart part_of(const PartMovement& motion, uint32_t first_patch)
+// Whether most of what turns looks along the axis, as a clock's hand does: a turn leaves such a face in the same light.
+bool lies_across(const SceneData& scene, size_t owner, const Vec3& axis)
+{
+    float across = 0, all = 0;
+    for (size_t t = 0; t < scene.mesh.triangle_count(); ++t) {
+        if (scene.moving.owners[t] != owner) continue;
+        const Vec3 area = scene.mesh.area_vector(t);
+        const float size = length(area), along = dot(area, axis);
+        across += size > 0 ? along * along / size : 0;
+        all += size;
+    }
+    return across > 0.5f * all;
+}
+
+MovingPart part_of(const SceneData& scene, size_t number, uint32_t first_patch)
 {
     constexpr double kTurn = 360;
-    MovingPart part = {motion.name, motion.slides, motion.axis, motion.pivot};
+    const PartMovement& motion = scene.moving.motions[number];
+    MovingPart part = {motion.name, motion.slides, !motion.slides && lies_across(scene, number + 1, motion.axis),
+                       motion.axis, motion.pivot};
     part.first_patch = first_patch;
     if (!motion.is_limited) return part;
     part.from = motion.slides ? motion.from : motion.from / kTurn;
@@ -252,17 +268,17 @@ MovingPart part_of(const PartMovement& motion, uint32_t first_patch)
 }
 
 // Puts the patches of parts between the body's opaque and its see-through ones.
-void insert(const std::vector<BuiltMesh>& parts, const MovingParts& moving, BuiltMesh& built)
+void insert(const std::vector<BuiltMesh>& parts, const SceneData& scene, BuiltMesh& built)
 {
     PatchMesh& mesh = built.mesh;
     const auto opaque = static_cast<ptrdiff_t>(mesh.opaque_patches());
     const std::vector<PatchMesh::Patch> see_through(mesh.patches.begin() + opaque, mesh.patches.end());
     mesh.patches.resize(static_cast<size_t>(opaque));
     for (size_t k = 0; k < parts.size(); ++k) {
-        mesh.parts.push_back(part_of(moving.motions[k], static_cast<uint32_t>(mesh.patches.size())));
+        mesh.parts.push_back(part_of(scene, k, static_cast<uint32_t>(mesh.patches.size())));
         append(mesh, parts[k].mesh);
         for (MeshWarning warning : parts[k].warnings) {
-            warning.problem = "of the part '" + moving.motions[k].name + "': " + warning.problem;
+            warning.problem = "of the part '" + scene.moving.motions[k].name + "': " + warning.problem;
             built.warnings.push_back(warning);
         }
     }
@@ -320,7 +336,7 @@ BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, Bake
         }
         stages.begin_part(0);
         BuiltMesh built = standing_mesh(*only_of(scene, 0), body, stages, job);
-        insert(parts, scene.moving, built);
+        insert(parts, scene, built);
         if (fits(built.mesh)) return built;
         if (mesh.triangles < kFewest)
             throw BakeError("the scene and its moving parts are too much for a surface field");

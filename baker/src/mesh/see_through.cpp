@@ -278,7 +278,7 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
     SceneParts parts;
     parts.mesh = part_of(scene.mesh, [&](size_t t) { return !see_through[scene.mesh.materials[t]]; });
     parts.materials = scene.materials;
-    parts.textures = scene.textures;
+    parts.shared_textures = scene.shared_textures;
     parts.catcher = scene.catcher;
     parts.tone = scene.tone;
     parts.sphere = BoundingSphere{{0, 0, 0}, 1};

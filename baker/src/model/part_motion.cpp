@@ -30,11 +30,6 @@ Affine turn_about(const Vec3d& axis, const Vec3d& pivot, double radians)
     return turn;
 }
 
-Vec3 turned(const Affine& pose, const Vec3& n)
-{
-    return moved(pose, n) - moved(pose, {});
-}
-
 // A point by its height along an axis, and its distance from it.
 struct AxialPlace {
     float height, distance;
@@ -100,6 +95,17 @@ Affine PartMovement::pose(double value_of_pose) const
     return slide;
 }
 
+std::vector<double> PartMovement::lit_poses(size_t count) const
+{
+    constexpr double kTurn = 360;
+    if (lit_at) return {*lit_at};
+    const double step = (is_limited ? to - from : kTurn) / static_cast<double>(count);
+    const double first = is_limited ? from + step / 2 : 0;
+    std::vector<double> poses;
+    for (size_t k = 0; k < count; ++k) poses.push_back(first + step * static_cast<double>(k));
+    return poses;
+}
+
 bool MovingParts::are_at_rest() const
 {
     return std::all_of(
@@ -140,7 +146,8 @@ Mesh MovingParts::posed(Mesh mesh) const
                 int32_t& normal = mesh.shading[t][c];
                 if (normal == kNoIndex) continue;
                 const auto way = normals.emplace(normal, static_cast<int32_t>(mesh.normals.size()));
-                if (way.second) mesh.normals.push_back(turned(pose, Vec3(mesh.normals[static_cast<size_t>(normal)])));
+                if (way.second)
+                    mesh.normals.push_back(direction_of(pose, Vec3(mesh.normals[static_cast<size_t>(normal)])));
                 normal = way.first->second;
             }
         }

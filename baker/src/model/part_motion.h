@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,12 @@ struct PartMovement {
     bool is_limited = false;
     double from = 0, to = 0;  // of its poses, where it is limited: degrees, right-handed, or lengths
     double value = 0;         // of the pose that is traced
+    std::optional<double> lit_at = std::nullopt;
 
     // Leads from the mesh's pose, 0, to another.
     Affine pose(double value_of_pose) const;
+    // The poses whose mean light it has in a field: lit_at, or so many of its range, which count alike.
+    std::vector<double> lit_poses(size_t count) const;
 };
 
 // Parts of a mesh that move.

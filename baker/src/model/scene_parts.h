@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ struct SceneParts {
     std::array<double, 3> origin = {0, 0, 0};  // to be added to the mesh's positions, and to nothing else
     std::vector<Material> materials;           // finished
     std::vector<Texture> textures;
+    std::shared_ptr<const std::vector<Texture>> shared_textures;  // in place of `textures`, where scenes share them
     std::vector<Fixture> fixtures;
     std::vector<NamedPart> named;           // names may come twice
     std::vector<PartOptions> part_options;  // of a scene file

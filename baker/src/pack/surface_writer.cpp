@@ -285,7 +285,7 @@ void put_vector(Bytes& b, size_t at, const Vec3& v, double one)
 void put_part(Bytes& b, size_t record, const MovingPart& part)
 {
     namespace at = detail::format::part;
-    b.put8(record + at::kMotionAt, part.slides ? 1 : 0);
+    b.put8(record + at::kMotionAt, part.slides ? 1 : part.light_stays ? 2 : 0);
     b.put8(record + at::kFollowsAt, static_cast<uint8_t>(part.follows));
     put_vector(b, record + at::kAxisAt, part.axis, kOneQ30);
     if (!part.slides) put_vector(b, record + at::kPivotAt, part.pivot, kOneQ20);

@@ -79,9 +79,11 @@ private:
         if (motion.is_limited && !(motion.from < motion.to))
             fail(options, "has no room to move: 'from' is not below 'to'");
         motion.value = options.value;
-        if (motion.is_limited && motion.value != 0 && (motion.value < motion.from || motion.value > motion.to)) {
+        motion.lit_at = options.lit_at;
+        for (const double value : {motion.value, motion.lit_at.value_or(0)}) {
+            if (!motion.is_limited || value == 0 || (value >= motion.from && value <= motion.to)) continue;
             fail(options, "moves from " + number_text(motion.from) + " to " + number_text(motion.to) + ", not to " +
-                              number_text(motion.value));
+                              number_text(value));
         }
         return motion;
     }
@@ -172,7 +174,7 @@ std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh, const st
     parts.mesh = std::move(mesh);
     parts.materials = scene.materials;
     parts.materials.insert(parts.materials.end(), more.begin(), more.end());
-    parts.textures = scene.textures;
+    parts.shared_textures = scene.shared_textures;
     parts.fixtures = scene.fixtures;
     parts.catcher = scene.catcher;
     parts.tone = scene.tone;
@@ -207,8 +209,22 @@ std::unique_ptr<SceneData> lit_with(const SceneData& scene, uint32_t owner, doub
 
 LitScenes::LitScenes(const SceneData& scene) : scene_(scene)
 {
-    if (scene.moving.empty()) return;
-    for (uint32_t owner = 0; owner < owners(); ++owner) parts_.push_back(lit_with(scene, owner, 0));
+    if (scene_.moving.empty()) return;
+    body_ = only_of(scene, 0);
+    constexpr size_t kMostPoses = 4, kMostTriangles = 6'000'000;  // of all these scenes, about 200 bytes each
+    const size_t triangles = scene.mesh.triangle_count() * scene.moving.motions.size();
+    const size_t poses = std::clamp<size_t>(kMostTriangles / triangles, 1, kMostPoses);
+    for (uint32_t owner = 1; owner <= scene.moving.motions.size(); ++owner) {
+        const PartMovement& movement = scene.moving.motions[owner - 1];
+        parts_.emplace_back();
+        for (const double value : movement.lit_poses(poses))
+            parts_.back().push_back({lit_with(scene, owner, value), movement.pose(value)});
+    }
+}
+
+Ray LitPose::posed(const Ray& ray) const
+{
+    return {moved(pose, ray.origin), direction_of(pose, ray.direction), ray.end};
 }
 
 }  // namespace lumi::baker

@@ -23,18 +23,27 @@ std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner);
 // The body, and one part in a pose.
 std::unique_ptr<SceneData> lit_with(const SceneData& scene, uint32_t owner, double value);
 
+// A part in one of the poses whose light it has.
+struct LitPose {
+    std::unique_ptr<SceneData> scene;  // the body and this part
+    Affine pose;                       // from the mesh's
+
+    Ray posed(const Ray& ray) const;
+};
+
 // What lights a surface field's triangles, by owner: the body stands alone, and each part with the body. So no part
 // casts a shadow that would stay where it is. Where nothing moves, it is the scene.
 class LitScenes
 {
 public:
     explicit LitScenes(const SceneData& scene);  // borrows it
-    const SceneData& of(uint32_t owner) const { return parts_.empty() ? scene_ : *parts_[owner]; }
-    uint32_t owners() const { return static_cast<uint32_t>(scene_.moving.motions.size()) + 1; }
+    const SceneData& body() const { return body_ ? *body_ : scene_; }
+    const std::vector<LitPose>& poses(uint32_t owner) const { return parts_[owner - 1]; }
 
 private:
     const SceneData& scene_;
-    std::vector<std::unique_ptr<SceneData>> parts_;
+    std::unique_ptr<SceneData> body_;
+    std::vector<std::vector<LitPose>> parts_;
 };
 
 }  // namespace lumi::baker

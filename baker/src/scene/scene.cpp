@@ -244,6 +244,7 @@ MovingParts moved_into_sphere(MovingParts moving, const BoundingSphere& sphere, 
         }
         if (!motion.slides) continue;
         for (double* length : {&motion.from, &motion.to, &motion.value}) *length /= sphere.radius;
+        if (motion.lit_at) *motion.lit_at /= sphere.radius;
     }
     return moving;
 }
@@ -286,7 +287,9 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),
       materials(scaled(std::move(parts.materials), radius)),
-      textures(std::move(parts.textures)),
+      shared_textures(parts.shared_textures ? std::move(parts.shared_textures)
+                                            : std::make_shared<std::vector<Texture>>(std::move(parts.textures))),
+      textures(*shared_textures),
       tone(parts.tone),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       mesh_is_shell(parts.mesh_is_shell),

@@ -27,7 +27,8 @@ struct SceneData {
     MovingParts moving;
     Mesh mesh;  // with parts that move in the pose of the files
     std::vector<Material> materials;
-    std::vector<Texture> textures;
+    std::shared_ptr<const std::vector<Texture>> shared_textures;
+    const std::vector<Texture>& textures;  // those
     ToneCurve tone;
     bool has_transparency;  // some material may let light pass
     bool mesh_is_shell;     // the mesh only tells where the volume looks solid: light passes it

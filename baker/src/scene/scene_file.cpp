@@ -231,6 +231,8 @@ private:
         if (const JsonValue* pivot = members.find("pivot"))
             part.pivot = in_doubles(members.vector_of(*pivot, "pivot", kPlace));
         members.number("at", part.slides ? kPlace : kPoses, part.at);
+        if (const JsonValue* lit_at = members.find("lit_at"))
+            part.lit_at = members.number_of(*lit_at, "lit_at", part.slides ? kPlace : kPoses);
         if (members.find("from") || members.find("to")) {
             const NumberRange range = part.slides ? kPlace : kPoses;
             part.range = {members.number_of(members.require("from"), "from", range),

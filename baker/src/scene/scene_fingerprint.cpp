@@ -46,7 +46,7 @@ void add(Digest& digest, const MovingParts& moving)
     if (motions.empty()) return;
     digest.add(owners);
     for (const PartMovement& motion : motions) {
-        const auto& [name, slides, axis, pivot, is_limited, from, to, value] = motion;
+        const auto& [name, slides, axis, pivot, is_limited, from, to, value, lit_at] = motion;
         digest.add(name);
         digest.add(slides);
         digest.add(axis);
@@ -55,6 +55,8 @@ void add(Digest& digest, const MovingParts& moving)
         digest.add(from);
         digest.add(to);
         digest.add(value);
+        for (const double pose : motion.lit_poses(1)) digest.add(pose);
+        digest.add(lit_at.has_value());
     }
 }
 
@@ -89,9 +91,10 @@ void add(Digest& digest, const Texture& texture)
 
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
-    const auto& [centre, radius, up, moving, mesh, materials, textures, tone, has_transparency, mesh_is_shell, catcher,
-                 medium, accelerator, choice, fixtures, lights, views] = scene;
+    const auto& [centre, radius, up, moving, mesh, materials, shared_textures, textures, tone, has_transparency,
+                 mesh_is_shell, catcher, medium, accelerator, choice, fixtures, lights, views] = scene;
     static_cast<void>(has_transparency);
+    static_cast<void>(shared_textures);  // `textures` are those
     static_cast<void>(accelerator);
     static_cast<void>(choice);    // materials and lights have it
     static_cast<void>(fixtures);  // `lights` has them

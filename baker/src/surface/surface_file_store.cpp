@@ -60,7 +60,7 @@ void fields(Io& io, PatchMesh::Patch& patch)
 template <class Io>
 void fields(Io& io, MovingPart& part)
 {
-    io(part.name, part.slides, part.axis, part.pivot, part.from, part.to, part.first_patch);
+    io(part.name, part.slides, part.light_stays, part.axis, part.pivot, part.from, part.to, part.first_patch);
 }
 template <class Io>
 void fields(Io& io, PatchMesh& mesh)

@@ -36,6 +36,11 @@ inline Vec3 moved(const Affine& m, const Vec3& p)
     return in_floats(point_of(m, v[0], v[1], v[2]));
 }
 
+inline Vec3 direction_of(const Affine& m, const Vec3& direction)
+{
+    return moved(m, direction) - moved(m, {});
+}
+
 // Applies first b, then a.
 inline Affine combined(const Affine& a, const Affine& b)
 {

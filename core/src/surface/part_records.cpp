@@ -11,7 +11,8 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr int32_t kFarthestQ20 = 2 * kOneQ20;  // pivots, and ends of slides
+constexpr uint8_t kSlides = 1, kLightStays = 2;  // of kMotionAt
+constexpr int32_t kFarthestQ20 = 2 * kOneQ20;    // pivots, and ends of slides
 
 int32_t load_s32(const uint8_t* p)
 {
@@ -43,7 +44,7 @@ bool is_name_or_none(const uint8_t* text)
 
 bool is_record(const uint8_t* record, const PartMotion& m)
 {
-    if (record[part::kMotionAt] > 1 || !is_unit(m.axis)) return false;
+    if (record[part::kMotionAt] > kLightStays || !is_unit(m.axis)) return false;
     if (!is_near(m.pivot.x) || !is_near(m.pivot.y) || !is_near(m.pivot.z)) return false;
     if (m.slides &&
         ((m.pivot.x | m.pivot.y | m.pivot.z) != 0 || !is_near(m.from) || !is_near(int64_t{m.from} + m.span)))
@@ -151,7 +152,8 @@ PartMotion part_motion(const SurfaceField& field, uint32_t part)
 {
     const uint8_t* const r = part_record(field, part);
     const uint8_t *const axis = r + part::kAxisAt, *const pivot = r + part::kPivotAt;
-    return {r[part::kMotionAt] != 0,
+    return {r[part::kMotionAt] == kSlides,
+            r[part::kMotionAt] == kLightStays,
             {load_s32(axis), load_s32(axis + 4), load_s32(axis + 8)},
             {load_s32(pivot), load_s32(pivot + 4), load_s32(pivot + 8)},
             load_s32(r + part::kFromAt),

@@ -94,7 +94,7 @@ void move(SurfaceProjection& p, const PartMotion& part, uint32_t value)
         p.eye[k] = static_cast<int32_t>(eye < -kMostEye ? -kMostEye : eye < kMostEye ? eye : kMostEye);
         for (int j = 0; j < 3; ++j) p.axis[k][j] = along(m.column[j], row);
     }
-    move_viewer(m, p);
+    if (!part.light_stays) move_viewer(m, p);
 }
 
 struct __attribute__((may_alias)) ProjectionWords {

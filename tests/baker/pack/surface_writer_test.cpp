@@ -35,8 +35,8 @@ TEST_CASE("vertices and patches of moving parts lie together in the file, which 
     for (const float z : {-0.5f, 0.0f, 0.25f, 0.25f, 0.5f}) add_square(mesh, 0.5f, z);
     std::swap(mesh.patches[0].a, mesh.patches[1].a);  // numbers of the body's two patches are mixed
     mesh.see_through_patches = 1;
-    mesh.parts = {{"knob \u00D8", false, {0, 0, 1}, {0.25f, -0.5f, 0}, -0.25, 0.5, 2},
-                  {"slider", true, {kThird, -2 * kThird, 2 * kThird}, {}, -0.125, 0.25, 3}};
+    mesh.parts = {{"knob \u00D8", false, true, {0, 0, 1}, {0.25f, -0.5f, 0}, -0.25, 0.5, 2},
+                  {"slider", true, false, {kThird, -2 * kThird, 2 * kThird}, {}, -0.125, 0.25, 3}};
     const FitShape shape(mesh, std::vector<float>(mesh.patches.size(), 4));
     FieldParts parts{};
     parts.radius = 1;
@@ -53,11 +53,13 @@ TEST_CASE("vertices and patches of moving parts lie together in the file, which 
     CHECK(std::string(name.text, name.bytes) == mesh.parts[0].name);
     const PartMotion turn = part_motion(field, 0), slide = part_motion(field, 1);
     CHECK(!turn.slides);
+    CHECK(turn.light_stays);
     CHECK(turn.pivot.x == kOneQ20 / 4);
     CHECK(turn.pivot.y == -kOneQ20 / 2);
     CHECK(turn.from == -(1 << 30));
     CHECK(turn.span == 3u << 30);
     CHECK(slide.slides);
+    CHECK(!slide.light_stays);
     CHECK(slide.from == -kOneQ20 / 8);
     CHECK(slide.span == 3 * kOneQ20 / 8);
     for (uint32_t p = 0; p < 5; ++p) {
@@ -73,7 +75,7 @@ TEST_CASE("a part that spans a turn is free")
     PatchMesh mesh;
     mesh.longest_edge = 1;
     add_square(mesh, 0.5f, 0);
-    mesh.parts = {{"wheel", false, {0, 0, 1}, {}, -3, 4, 0}};
+    mesh.parts = {{"wheel", false, false, {0, 0, 1}, {}, -3, 4, 0}};
     const FitShape shape(mesh, {4});
     FieldParts parts{};
     parts.radius = 1;

@@ -119,13 +119,21 @@ TEST_CASE("moving parts: each part is lit with the body, and the body alone")
     other.name = "dial";
     const Scene scene = dial_with({hand(), other});
     const LitScenes lit(scene.data());
-    REQUIRE(lit.owners() == 3);
-    CHECK(lit.of(0).mesh.triangle_count() == 1);
-    CHECK(lit.of(1).mesh.triangle_count() == 2);
-    CHECK(lit.of(2).mesh.triangle_count() == 3);
-    CHECK(lit.of(2).radius == scene.data().radius);
+    CHECK(lit.body().mesh.triangle_count() == 1);
+    CHECK(lit.poses(1)[0].scene->mesh.triangle_count() == 2);
+    CHECK(lit.poses(2)[0].scene->mesh.triangle_count() == 3);
+    CHECK(lit.poses(2)[0].scene->radius == scene.data().radius);
+    REQUIRE(lit.poses(1).size() == 4);
+    const Ray ray = lit.poses(1)[1].posed({{1, 0, 0.5f}, {0, 0.6f, -0.8f}});  // by a quarter of a turn
+    const Vec3 pivot = scene.data().moving.motions[0].pivot, before = Vec3{1, 0, 0.5f} - pivot;
+    CHECK(length(ray.direction - Vec3{-0.6f, 0, -0.8f}) < 1e-6f);
+    CHECK(length(ray.origin - pivot - Vec3{-before.y, before.x, before.z}) < 1e-5f);
+    PartOptions lit_once = hand();
+    lit_once.lit_at = 90;
+    CHECK(LitScenes(dial_with({lit_once, other}).data()).poses(1).size() == 1);
+    CHECK(dial_with({lit_once, other}).fingerprint() != scene.fingerprint());
     const Scene still = dial_with({});
-    CHECK(LitScenes(still.data()).of(0).mesh.triangle_count() == still.data().mesh.triangle_count());
+    CHECK(LitScenes(still.data()).body().mesh.triangle_count() == still.data().mesh.triangle_count());
     CHECK(scene.fingerprint() != still.fingerprint());
 }
 
@@ -176,8 +184,11 @@ TEST_CASE("moving parts: a scene file names them, and a caller their poses")
     check_place(corner(scene(at, {}), 2, 0), {-1, -1, 0});
     pose.value = 90;
     check_place(corner(scene(at, {pose}), 2, 0), {1, -1, 0});
-    pose.value = 180;
     pose.value = 200;
+    const std::string lit = turning.substr(0, turning.size() - 1) + ",\"lit_at\":";
+    CHECK(scene(lit + "190}", {}).data().moving.motions[0].lit_poses(4) == std::vector<double>{190});
+    CHECK(scene(turning, {}).data().moving.motions[0].lit_poses(4) == std::vector<double>{15, 65, 115, 165});
+    CHECK_THROWS_WITH(scene(lit + "191}", {}), Catch::Contains("'hand' moves from -10 to 190, not to 191"));
     CHECK_THROWS_WITH(scene(turning, {pose}), Catch::Contains("'hand' moves from -10 to 190, not to 200"));
     for (const auto& [text, word] : std::vector<std::pair<std::string, std::string>>{
              {"{\"name\":\"hand\"}", "s.json:2: a part has a 'turn' or a 'slide'"},

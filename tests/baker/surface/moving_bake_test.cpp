@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "fit/sample_tracer.h"
-#include "surface/surface_scenes.h"
 #include "support/surfaces.h"
+#include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
 {
@@ -21,8 +21,9 @@ PartMovement turning(const std::string& name, const Vec3& axis, const Vec3& pivo
     return movement;
 }
 
-// A box without a top, with a bright floor inside, and a lid that lies on it and turns about one of its edges.
-Scene lidded_box()
+// A box without a top, with a bright floor inside, and a lid that lies on it and turns about one of its edges; it is
+// lit as it lies there.
+Scene lidded_box(std::optional<double> lit_at = 0)
 {
     SceneMaker maker;
     const uint32_t wood = maker.add(diffuse({0.5f, 0.3f, 0.1f})), white = maker.add(diffuse(grey(0.8f)));
@@ -32,7 +33,9 @@ Scene lidded_box()
     maker.box(wood, {-kSide, -kSide, -kHigh}, {-kSide + kThick, kSide, kHigh});
     maker.box(wood, {kSide - kThick, -kSide, -kHigh}, {kSide, kSide, kHigh});
     maker.box(white, {-kSide, -kSide, -kHigh}, {kSide, kSide, -kHigh + kThick});
-    maker.begin_part(turning("lid", {0, 1, 0}, {-kSide, 0, kHigh}));
+    PartMovement lid = turning("lid", {0, 1, 0}, {-kSide, 0, kHigh});
+    lid.lit_at = lit_at;
+    maker.begin_part(lid);
     maker.box(wood, {-kSide, -kSide, kHigh}, {kSide, kSide, kHigh + kThick});
     return maker.make(constant_environment(1));
 }
@@ -90,34 +93,57 @@ TEST_CASE("moving bake: parts share no vertex with the body")
     }
 }
 
-TEST_CASE("moving bake: the body is lit as if parts were not there, and parts as they lie on it")
+namespace
 {
-    const Scene scene = lidded_box();
+
+// The light of an owner's faces that look so, at a height.
+double mean_light(const Scene& scene, uint32_t owner, const Vec3& facing, float height)
+{
     const PatchMesh mesh = built_mesh(scene, coarse()).mesh;
     const FitShape shape(mesh, std::vector<float>(mesh.patches.size(), 4));
     const SampleTracer tracer(scene.data(), shape);
-    const auto mean_light = [&](uint32_t owner, const Vec3& facing, float height) {
-        double sum = 0, count = 0;
-        for (uint32_t p = mesh.first_patch(owner); p < mesh.first_patch(owner + 1); ++p) {
-            const PatchMesh::Patch& patch = mesh.patches[p];
-            const Vec3& a = mesh.positions[patch.a];
-            const Vec3 normal = normalized(cross(mesh.positions[patch.b] - a, mesh.positions[patch.c] - a));
-            if (dot(normal, facing) < 0.9f || std::abs(a.z * scene.radius() + scene.centre()[2] - height) > 0.02f)
-                continue;
-            std::vector<FitSample> samples;
-            for (uint32_t texel = 0; texel < shape.layout.rectangles[p].size(); ++texel)
-                tracer.trace(1, p, texel, 64, samples);
-            for (const FitSample& s : samples) sum += static_cast<double>(s.radiance.g);
-            count += static_cast<double>(samples.size());
-        }
+    double sum = 0, count = 0;
+    for (uint32_t p = mesh.first_patch(owner); p < mesh.first_patch(owner + 1); ++p) {
+        const PatchMesh::Patch& patch = mesh.patches[p];
+        const Vec3& a = mesh.positions[patch.a];
+        const Vec3 normal = normalized(cross(mesh.positions[patch.b] - a, mesh.positions[patch.c] - a));
+        if (dot(normal, facing) < 0.9f || std::abs(a.z * scene.radius() + scene.centre()[2] - height) > 0.02f) continue;
+        std::vector<FitSample> samples;
+        for (uint32_t texel = 0; texel < shape.layout.rectangles[p].size(); ++texel)
+            tracer.trace(1, p, texel, 64, samples);
+        for (const FitSample& s : samples) sum += static_cast<double>(s.radiance.g);
+        count += static_cast<double>(samples.size());
+    }
+    REQUIRE(count > 100);
+    return sum / count;
+}
 
-        REQUIRE(count > 100);
-        return sum / count;
-    };
-    const double floor = mean_light(0, {0, 0, 1}, -0.15f);
-    CHECK(floor > 0.35);  // of 0.8 in the open
-    CHECK(mean_light(1, {0, 0, 1}, 0.25f) == Approx(0.3).epsilon(0.05));
-    CHECK(mean_light(1, {0, 0, -1}, 0.2f) < 0.02);  // it closes the box
+}  // namespace
+
+TEST_CASE("moving bake: the body is lit as if parts were not there, and parts as they lie on it")
+{
+    const Scene scene = lidded_box();
+    CHECK(mean_light(scene, 0, {0, 0, 1}, -0.15f) > 0.35);  // of 0.8 in the open
+    CHECK(mean_light(scene, 1, {0, 0, 1}, 0.25f) == Approx(0.3).epsilon(0.05));
+    CHECK(mean_light(scene, 1, {0, 0, -1}, 0.2f) < 0.02);  // it closes the box
+}
+
+TEST_CASE("moving bake: without a pose to be lit in, a part has the mean light of four")
+{
+    double mean = 0;
+    for (const double pose : {0.0, 90.0, 180.0, 270.0}) mean += mean_light(lidded_box(pose), 1, {0, 0, -1}, 0.2f) / 4;
+    CHECK(mean > 0.1);
+    CHECK(mean_light(lidded_box(std::nullopt), 1, {0, 0, -1}, 0.2f) == Approx(mean).epsilon(0.05));
+}
+
+TEST_CASE("moving bake: a part turns below its light where most of it lies across its axis")
+{
+    CHECK(!built_mesh(lidded_box(), coarse()).mesh.parts[0].light_stays);
+    SceneMaker maker;
+    maker.box(maker.add(diffuse(grey(0.5f))), {-0.5f, -0.5f, -0.1f}, {0.5f, 0.5f, 0});
+    maker.begin_part(turning("hand", {0, 0, 1}, {}));
+    maker.box(maker.add(diffuse(grey(0.1f))), {-0.05f, -0.05f, 0.05f}, {0.05f, 0.4f, 0.07f});
+    CHECK(built_mesh(maker.make(constant_environment(1)), coarse()).mesh.parts[0].light_stays);
 }
 
 TEST_CASE("moving bake: a field has its parts, and its bytes do not depend on threads")

@@ -108,7 +108,7 @@ TEST_CASE("numbers of moving parts that are out of range are refused")
     using namespace format;
     for (const uint32_t at : {part::kFirstViewedAt, part::kFirstPlainAt, part::kFirstPatchAt})
         for (const uint32_t first : {0u, 1u, 0x7FFFu, 0xFFFFu}) CHECK(opened_with(at, 2, first) != FieldError::none);
-    CHECK(opened_with(part::kMotionAt, 1, 2) == FieldError::bad_parts);
+    CHECK(opened_with(part::kMotionAt, 1, 3) == FieldError::bad_parts);
     CHECK(opened_with(part::kFollowsAt, 1, 1) == FieldError::bad_parts);
     CHECK(opened_with(part::kAxisAt, 4, 1u << 24) == FieldError::none);  // it becomes longer by 2^-13
     CHECK(opened_with(part::kAxisAt, 4, 1u << 26) == FieldError::bad_parts);

@@ -16,6 +16,7 @@ struct TestPart {
     std::array<double, 3> axis = {0, 0, 1}, pivot = {0, 0, 0};  // unit length; radii
     int32_t from = 0;
     uint32_t span = UINT32_MAX;
+    bool light_stays = false;
     uint32_t follows = 0;  // k: a shadow of part k - 1, whose patches are see-through
 };
 
@@ -34,7 +35,7 @@ inline int32_t rounded(double v, double one)
 inline void put_record(Bytes& b, const TestPart& part, uint32_t viewed, uint32_t plain, uint32_t patch)
 {
     for (const uint32_t first : {viewed, plain, patch}) put16(b, first);
-    put16(b, (part.slides ? 1 : 0) | part.follows << 8);
+    put16(b, (part.slides ? 1 : part.light_stays ? 2 : 0) | part.follows << 8);
     for (const double c : part.axis) put32(b, static_cast<uint32_t>(rounded(c, 0x1p30)));
     for (const double c : part.pivot) put32(b, static_cast<uint32_t>(part.slides ? 0 : rounded(c, 0x1p20)));
     put32(b, static_cast<uint32_t>(part.from));

@@ -7,6 +7,7 @@
 #include "halves.h"
 #include "lumi/surface/view.h"
 #include "parts_bytes.h"
+#include "surface/projection.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -236,6 +237,30 @@ TEST_CASE("a part that turns or slides looks as it does at rest from an eye that
     std::cout << "moved parts: " << 100 * worst << " % of pixels off at worst, " << 100 * sum / count
               << " % on average\n";
     CHECK(sum / count < 0.02);
+}
+
+TEST_CASE("a part that turns below its light keeps the colours of its vertices")
+{
+    const test::View view = extreme_views(kSide)[0];
+    for (const bool light_stays : {true, false}) {
+        TestPart part = three_parts()[0];
+        part.light_stays = light_stays;
+        const OpenedGlass opened(mover_file(mover(ball(3, 0), {part})));
+        REQUIRE(opened.error() == FieldError::none);
+        CHECK(part_motion(opened.field(), 0).light_stays == light_stays);
+        Mover turned(opened.field()), rest(opened.field());
+        REQUIRE(turned.turn(0, degrees(40)));
+        turned.look(view, SurfaceMode::one_sample);
+        rest.look(view, SurfaceMode::one_sample);
+        uint32_t same = 0, other = 0;
+        for (uint32_t k = ball(3, 0).viewed; k < opened.field().viewed_count; ++k) {
+            const uint32_t now = turned.frame().memory.vertices[k].colour;
+            const uint32_t then = rest.frame().memory.vertices[k].colour;
+            if (now != kUnlit && then != kUnlit) ++(now == then ? same : other);
+        }
+        CHECK(same + other > 5);
+        CHECK((other == 0) == light_stays);
+    }
 }
 
 TEST_CASE("frames that keep the body are those that are prepared anew, and only the rectangles that are told change")

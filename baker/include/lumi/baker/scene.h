@@ -85,8 +85,9 @@ struct PartOptions {
     std::optional<std::array<double, 3>> pivot = std::nullopt;  // scene units and axes; of a node, its origin
     std::optional<std::array<double, 2>> range = std::nullopt;  // of poses, least first: degrees, or scene units
     bool slides = false;
-    double at = 0;     // the pose of the files: degrees, right-handed, or scene units
-    double value = 0;  // the pose that is traced
+    double at = 0;                                // the pose of the files: degrees, right-handed, or scene units
+    double value = 0;                             // the pose that is traced
+    std::optional<double> lit_at = std::nullopt;  // the pose whose light it has in a field; open: the mean of several
 };
 
 // Reads "x", "y", "z", or "-x" and the like. Nothing for other words.

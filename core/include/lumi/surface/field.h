@@ -49,6 +49,7 @@ struct SurfaceField {
 // How a part moves, and how far: formats of surface/format.h.
 struct PartMotion {
     bool slides;
+    bool light_stays;  // view tables are read for the eye that does not turn with it
     Vec3q30 axis;
     Vec3q20 pivot;
     int32_t from;

@@ -103,7 +103,7 @@ namespace part
 inline constexpr uint32_t kFirstViewedAt = 0;  // u16, <= kViewedAt's number
 inline constexpr uint32_t kFirstPlainAt = 2;   // u16, from there on up to kVerticesAt's
 inline constexpr uint32_t kFirstPatchAt = 4;   // u16
-inline constexpr uint32_t kMotionAt = 6;       // u8, 0: it turns, 1: it slides
+inline constexpr uint32_t kMotionAt = 6;       // u8, 0: it turns, 1: it slides, 2: it turns below its light
 inline constexpr uint32_t kFollowsAt = 7;      // u8, 0: it moves by itself; k: it is a shadow of part k - 1
 inline constexpr uint32_t kAxisAt = 8;         // 3 × s32, Q30, of unit length within 2^-12
 inline constexpr uint32_t kPivotAt = 20;       // 3 × s32, Q20, a point of the axis, each within 2 radii; slides: 0

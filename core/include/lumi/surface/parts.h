@@ -8,7 +8,7 @@
 //
 // A point x of a part goes to R(x - c) + c + s·a, where a is its axis, c a point of the axis, R the turn and s the
 // offset. So a part is projected by the body's axes turned by the inverse of R, and its view tables are read for an eye
-// that is moved by the inverse. Depths are the body's.
+// that is moved by the inverse, unless the part turns below its light. Depths are the body's.
 #pragma once
 #pragma GCC system_header
 
