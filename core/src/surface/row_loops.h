@@ -110,6 +110,13 @@ LUMI_ALWAYS_INLINE PackedColour saturated_sum(PackedColour a, PackedColour b)
     return (sum | full) & ~kGuardBits;
 }
 
+// Whether all light passes by these shares. The sum of two taps is one less than all.
+LUMI_ALWAYS_INLINE bool is_all(PackedColour shares)
+{
+    constexpr PackedColour kLowest = 1u << 21 | 1u << 10 | 1u, kAll = 1023u << 21 | 1023u << 10 | 511u;
+    return (shares | kLowest) == kAll;
+}
+
 // How clear a sample stays for the background, as coverage_of() reads it from the depth, behind what passes light by
 // these shares and shows this colour: clear · (r + 2g + b)/4, where blue has nine bits and so counts twice. What shines
 // brighter than it covers counts as covering: at most 1 - the brightest channel.
@@ -161,9 +168,11 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
                 if ((sum & kGuardBits) != 0) sum = clamped(sum);
                 if constexpr (Sample::kIsBlended) {
                     const PackedColour passed = texel<kFilter>(place, passing);
-                    sum = saturated_sum(sum, share_of(passed, Sample::loaded(*colour_at)));
-                    *colour_at = Sample::stored(sum);
-                    if (*depth_at < kFarDepth) *depth_at = depth_behind(*depth_at, passed, sum);
+                    if (sum != 0 || !is_all(passed)) {
+                        sum = saturated_sum(sum, share_of(passed, Sample::loaded(*colour_at)));
+                        *colour_at = Sample::stored(sum);
+                        if (*depth_at < kFarDepth) *depth_at = depth_behind(*depth_at, passed, sum);
+                    }
                 } else {
                     *colour_at = Sample::stored(sum);
                 }
