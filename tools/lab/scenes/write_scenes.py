@@ -16,8 +16,7 @@ import pathlib
 import struct
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "baker/scenes/generate"))
-from png import encode16  # noqa: E402
+from png import encode16
 
 PLAIN = "Ks 0.5 0.5 0.5\nNi 1.5\n"
 GLASS = "Ks 0.5 0.5 0.5\nNi 1.5\nillum 2\n"
