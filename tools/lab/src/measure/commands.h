@@ -16,8 +16,6 @@ void add_baselines(CLI::App& lab);
 void add_draw(CLI::App& lab);
 void add_extremes(CLI::App& lab);
 void add_surface_extremes(CLI::App& lab);
-void add_outlines(CLI::App& lab);
-void add_baking(CLI::App& lab);
 
 void print(const nlohmann::ordered_json& json);
 
