@@ -1,19 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""core_names.py page | page_self_test | firmware COMPILER... | layouts COMPILER... | modes COMPILER...
-| samples COMPILER...
+"""core_names.py page | firmware COMPILER... | layouts COMPILER... | modes COMPILER... | samples COMPILER...
 
 Reads the names that core's public headers declare, from the headers themselves.
 
-page            docs/api.md has a row for each name of namespace lumi, under its header, and no other row; the table of
-                core/README.md has each call of lumi.h, and no other.
-page_self_test  Plants a missing row, a row too many, a wrong header and a missing call, and fails if one is not found.
-firmware        A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
-                that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
-                warnings as errors; then the headers alone, with warnings in them shown.
-modes           Compiles a firmware for each mode of surface fields, and fails where it links what another one takes.
-samples         Compiles a firmware whose views share samples, and two that must not compile and must say why.
-layouts         Compiles a firmware for each layout, and fails where it includes a header of the other one.
+page       docs/api.md has a row for each name of namespace lumi, under its header, and no other row; the table of
+           core/README.md has each call of lumi.h, and no other.
+firmware   A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
+           that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
+           warnings as errors; then the headers alone, with warnings in them shown.
+modes      Compiles a firmware for each mode of surface fields, and fails where it links what another one takes.
+samples    Compiles a firmware whose views share samples, and two that must not compile and must say why.
+layouts    Compiles a firmware for each layout, and fails where it includes a header of the other one.
 """
 import collections
 import pathlib
@@ -184,19 +182,6 @@ def check_page():
         c_page_problems(C_PAGE.read_text(encoding="utf-8"), C_HEADER.read_text(encoding="utf-8"))
 
 
-def page_self_test():
-    names = {("One", "a.h"), ("two", "a.h")}
-    row, other = "| `One` | `a.h` | what it is |\n", "| `two` | `a.h` | what it is |\n"
-    cases = [(row + other, 0), ("| `One`, `two` | `a.h` | what they are |\n", 0), (row, 1), (row + row + other, 1),
-             (row + other + "| `three` | `a.h` | gone |\n", 1), (row + "| `two` | `b.h` | elsewhere |\n", 2)]
-    c_row, c_header = "| `lumi_a`, `lumi_b` | `A` |\n", "int lumi_a(int b);\nconst char* lumi_b(void);\n"
-    c_cases = [(c_row, 0), ("| `lumi_a` | `lumi_b` |\n", 1), (c_row + "| `lumi_c` | `C` |\n", 1)]
-    return [f"{page!r}: {problems}" for page, count in cases
-            if len(problems := page_problems(page, names)) != count] + \
-           [f"{page!r}: {problems}" for page, count in c_cases
-            if len(problems := c_page_problems(page, c_header)) != count]
-
-
 # Firmware
 
 OWN = {
@@ -352,11 +337,10 @@ def check_samples(compiler):
 
 
 def main(arguments):
-    checks = {"page": check_page, "page_self_test": page_self_test}
     compiler_checks = {"firmware": check_firmware, "layouts": check_layouts, "modes": check_modes,
                        "samples": check_samples}
-    if len(arguments) == 1 and arguments[0] in checks:
-        problems = checks[arguments[0]]()
+    if arguments == ["page"]:
+        problems = check_page()
     elif len(arguments) > 1 and arguments[0] in compiler_checks:
         problems = compiler_checks[arguments[0]](arguments[1:])
     else:

@@ -1,16 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""check_pages.py [--self-test] [FOLDER]
+"""check_pages.py
 
 Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables). Every relative
 link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. A path in
-`code`, from one of the repository's folders, is there. No page has a heading twice. FOLDER: the repository's root, by
-default the one that holds this file. --self-test plants such faults in a made-up tree, and fails if one is not found.
+`code`, from one of the repository's folders, is there. No page has a heading twice.
 """
 import pathlib
 import re
 import sys
-import tempfile
 
 MOST_WORDS = 1500
 # Pages with one purpose each. The changelog may be longer, and names files of former days.
@@ -79,10 +77,7 @@ def pages(root, patterns):
 
 def faults(root):
     """A line for each fault of the pages below `root`."""
-    root = root.resolve()
     short, logs = pages(root, SHORT_PAGES), pages(root, LOGS)
-    if not short:
-        return [f"{root} holds no pages"]
     found = []
     for page in short + logs + pages(root, OTHER_PAGES):
         name = page.relative_to(root)
@@ -96,50 +91,5 @@ def faults(root):
     return found
 
 
-def self_test():
-    """Faults that a made-up tree holds, and what tells each."""
-    tree = {
-        "README.md": "# One\n[a](docs/a.md#part-two-x) [b](#one) [c](docs) [d](https://example.org/none) `[e](none.md)`\n",
-        "docs/a.md": "# A\n## Part two: `x`\n[up](../README.md)\n```\n[f](none.md)\n```\n",
-    }
-    planted = {
-        "lost file": ("README.md", "[x](docs/none.md)", "leads nowhere"),
-        "lost heading": ("README.md", "[x](docs/a.md#part-three)", "no such heading"),
-        "heading in code": ("README.md", "[x](#no)\n```\n# No\n```", "no such heading"),
-        "lost path": ("README.md", "`docs/none.md --option`", "is not there"),
-        "path of many": ("README.md", "`docs/*.md` `docs/a.md`", None),
-        "heading twice": ("docs/a.md", "## Part\n## Part", "occurs twice"),
-        "outside": ("docs/a.md", "[x](../../etc)", "leads nowhere"),
-        "log": ("docs/log/b.md", "[x](../b.md)", "leads nowhere"),
-        "long page": ("docs/long.md", "word " * (MOST_WORDS + 1), "divide it"),
-        "long log": ("docs/log/long.md", "word " * (MOST_WORDS + 1), "divide it"),
-        "long table": ("docs/log/table.md", "| word |\n" * MOST_WORDS, None),
-    }
-    for what, (page, text, message) in [("nothing", ("README.md", "", None)), *planted.items()]:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            (root / "docs" / "log").mkdir(parents=True)
-            for name, content in tree.items():
-                (root / name).write_text(content, encoding="utf-8")
-            with open(root / page, "a", encoding="utf-8") as file:
-                file.write("\n" + text + "\n")
-            found = faults(root)
-            if len(found) != (message is not None) or (message and message not in found[0]):
-                return [f"self-test, {what}: {found}"]
-    return []
-
-
-def main(arguments):
-    if arguments == ["--self-test"]:
-        found = self_test()
-    elif len(arguments) <= 1:
-        found = faults(pathlib.Path(arguments[0] if arguments else pathlib.Path(__file__).resolve().parents[2]))
-    else:
-        found = [__doc__.strip()]
-    for fault in found:
-        print(fault, file=sys.stderr)
-    return bool(found)
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit("\n".join(faults(pathlib.Path(__file__).resolve().parents[2])) or None)
