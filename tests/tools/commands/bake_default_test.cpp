@@ -60,11 +60,9 @@ TEST_CASE("bake without a layout writes a surface field beside the working folde
 {
     const test::TemporaryFolder folder;
     test::write_cube(folder.path());
-    const Outcome outcome = test::run_program(
+    const test::Outcome outcome = done(test::run_program(
         {"sh", "-c",
-         "cd '" + folder.path() + "' && '" LUMI_PROGRAM "' bake cube.obj --fit 12kB --paths 10 --for rp2040@1fps"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+         "cd '" + folder.path() + "' && '" LUMI_PROGRAM "' bake cube.obj --fit 12kB --paths 10 --for rp2040@1fps"}));
     CHECK(layout_of(folder / "cube.lumi") == "surface");
     CHECK(std::filesystem::file_size(folder / "cube.lumi") <= 12'000);
     std::istringstream lines(outcome.out);
@@ -104,9 +102,8 @@ TEST_CASE(
 {
     const test::TemporaryFolder folder;
     const std::string scene = write_specks(folder.path(), 600), field = folder / "f.lumi";
-    const Outcome chord = lumi({"bake", scene, "-o", field, "--fit", "30kB", "--plan-only", "--progress", "json"});
-    INFO(chord.err);
-    CHECK(chord.code == 0);
+    const test::Outcome chord =
+        done(lumi({"bake", scene, "-o", field, "--fit", "30kB", "--plan-only", "--progress", "json"}));
     std::istringstream lines(chord.out);
     std::string first, plan;
     std::getline(lines, first);
@@ -132,9 +129,8 @@ TEST_CASE("of a volume, bake takes a surface field where it looks solid, a chord
     const test::TemporaryFolder folder;
     const auto plan = [&](const char* density) {
         const std::string scene = write_ball(folder.path(), density);
-        const Outcome outcome = lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "20kB", "--plan-only"});
-        INFO(outcome.err);
-        CHECK(outcome.code == 0);
+        const test::Outcome outcome =
+            done(lumi({"bake", scene, "-o", folder / "f.lumi", "--fit", "20kB", "--plan-only"}));
         return outcome;
     };
     const Outcome soft = plan("1.5"), smoke = plan("0.5");

@@ -22,9 +22,7 @@ namespace
 
 void require_success(const test::Arguments& arguments)
 {
-    const Outcome outcome = run_program(arguments);
-    INFO(arguments[0] << ": " << outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(run_program(arguments));
 }
 
 struct Embedded {
@@ -34,10 +32,7 @@ struct Embedded {
     Embedded()
     {
         test::write_content(folder / "a field.lumi", bytes);
-        const Outcome outcome =
-            lumi({"embed", folder / "a field.lumi", "-o", folder / "my-field.S", "--symbol", "demo_field"});
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(lumi({"embed", folder / "a field.lumi", "-o", folder / "my-field.S", "--symbol", "demo_field"}));
     }
 };
 
@@ -116,9 +111,8 @@ TEST_CASE("a field to be flashed on its own is a copy, and its header tells the 
     REQUIRE(lumi({"embed", folder / "a.lumi", "-o", folder / "a.bin"}).code == 0);
     CHECK((test::content_of(folder / "a.bin") == bytes));
     CHECK_THAT(test::content_of(folder / "a.h"), Catch::Contains("return " + std::to_string(bytes.size()) + "u;"));
-    const Outcome refused = lumi({"embed", folder / "a.lumi", "-o", folder / "a.bin", "--section", "s"});
-    CHECK(refused.code == 2);
-    CHECK_THAT(refused.err, Catch::Contains("flashed on its own"));
+    check_refused(lumi({"embed", folder / "a.lumi", "-o", folder / "a.bin", "--section", "s"}), 2,
+                  "flashed on its own");
 }
 
 TEST_CASE("a UF2 file holds the field page by page from its address on, which the header says too")
@@ -126,9 +120,7 @@ TEST_CASE("a UF2 file holds the field page by page from its address on, which th
     const test::TemporaryFolder folder;
     const std::string field = folder / "a.lumi", uf2 = folder / "a.uf2", bytes = test::field_bytes({});
     test::write_content(field, bytes);
-    const Outcome outcome = lumi({"embed", field, "-o", uf2, "--address", "0x10100000", "--family", "rp2350"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(lumi({"embed", field, "-o", uf2, "--address", "0x10100000", "--family", "rp2350"}));
     const std::string file = test::content_of(uf2);
     REQUIRE(file.size() % 512 == 0);
     const auto word = [&](size_t at) {
@@ -174,9 +166,7 @@ TEST_CASE("a field's address lies in the flash of its board, behind the program'
                    Catch::Contains("the program lies there and would be lost") && Catch::Contains("from 0x10001000"));
         for (const char* address : {"0x0", "0x08000000", "0x0FFFF000", "0x12000000", "0x20000000", "0xFFFF0000"}) {
             CAPTURE(address);
-            const Outcome outcome = embed(address, family);
-            CHECK(outcome.code == 2);
-            CHECK_THAT(outcome.err, Catch::Contains("the board's flash is 0x10000000 to 0x1"));
+            check_refused(embed(address, family), 2, "the board's flash is 0x10000000 to 0x1");
         }
         CHECK(embed("0x10001000", family).code == 0);
     }
@@ -227,11 +217,8 @@ TEST_CASE("outputs that share a header agree, or the second is refused and nothi
     for (const auto& [field, more] : std::vector<std::pair<std::string, test::Arguments>>{
              {"a.lumi", {"--address", "0x10200000"}},
              {"b.lumi", {"--address", "0x10100000"}},
-             {"a.lumi", {"--address", "0x10100000", "--symbol", "other"}}}) {
-        const Outcome outcome = embed(field, "a.bin", more);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("remove " + (folder / "a.uf2")));
-    }
+             {"a.lumi", {"--address", "0x10100000", "--symbol", "other"}}})
+        check_refused(embed(field, "a.bin", more), 1, Catch::Contains("remove " + (folder / "a.uf2")));
 }
 
 TEST_CASE("a header that somebody wrote is not replaced")
@@ -239,9 +226,8 @@ TEST_CASE("a header that somebody wrote is not replaced")
     const test::TemporaryFolder folder;
     test::write_content(folder / "main.lumi", test::field_bytes({}));
     test::write_content(folder / "main.h", "#define MINE 1\n");
-    const Outcome outcome = lumi({"embed", folder / "main.lumi", "-o", folder / "main.S", "--symbol", "f"});
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("main.h: `lumi embed` did not write it"));
+    check_refused(lumi({"embed", folder / "main.lumi", "-o", folder / "main.S", "--symbol", "f"}), 1,
+                  "main.h: `lumi embed` did not write it");
     CHECK(test::content_of(folder / "main.h") == "#define MINE 1\n");
 }
 

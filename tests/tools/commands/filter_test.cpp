@@ -63,10 +63,9 @@ TEST_CASE("where /proc is missing, no module is loaded from the working director
     const test::TemporaryFolder folder;
     for (const char* module : {"lumi_openvdb.so", "lumi_filter.so"}) test::write_content(folder / module, "no module");
     test::write_content(folder / "a.vdb", "no volume");
-    const Outcome outcome = test::run_program({"env", "--chdir=" + folder.path(), "LD_PRELOAD=" LUMI_FAULT_SHIM,
-                                               "LUMI_FAULT=link:1", LUMI_PROGRAM, "reference", "a.vdb", "-o", "o.png"});
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("/proc/self/exe") && !Catch::Contains("does not load"));
+    check_refused(test::run_program({"env", "--chdir=" + folder.path(), "LD_PRELOAD=" LUMI_FAULT_SHIM,
+                                     "LUMI_FAULT=link:1", LUMI_PROGRAM, "reference", "a.vdb", "-o", "o.png"}),
+                  1, Catch::Contains("/proc/self/exe") && !Catch::Contains("does not load"));
 }
 #endif
 
@@ -75,9 +74,7 @@ TEST_CASE("without libtorch, training and filtering say what to install, and lea
     const std::string mend = "install libtorch (Debian: libtorch-dev), then configure and build lumi again";
     const auto check = [&](const FilterShop& shop, const std::string& output, const Arguments& call) {
         test::write_content(output, "earlier");
-        const Outcome outcome = lumi_without_module(shop.folder, call);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("lumi was built without its learned filter; " + mend));
+        check_refused(lumi_without_module(shop.folder, call), 1, "lumi was built without its learned filter; " + mend);
         CHECK(test::content_of(output) == "earlier");
     };
     const FilterShop training, filtering;
@@ -109,9 +106,7 @@ TEST_CASE("render refuses weights that are missing, damaged or another field's")
         {{shop.folder / "c.lumi", "--filter", shop.weights}, "is a chord field"},
     };
     for (const auto& [call, hint] : calls) {
-        const Outcome outcome = lumi(joined({"render", "-o", shop.folder / "o.png"}, call));
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains(hint));
+        check_refused(lumi(joined({"render", "-o", shop.folder / "o.png"}, call)), 1, hint);
         CHECK_FALSE(fs::exists(shop.folder / "o.png"));
     }
 }
@@ -120,11 +115,8 @@ TEST_CASE("a filter takes pictures of the best mode only")
 {
     const FilterShop shop;
     shop.write_weights(false);
-    for (const Arguments& more : {Arguments{"--mode", "one-sample"}, {"--pixel", "rgb565"}}) {
-        const Outcome outcome = shop.render(joined({"--filter", shop.weights}, more));
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains("--filter"));
-    }
+    for (const Arguments& more : {Arguments{"--mode", "one-sample"}, {"--pixel", "rgb565"}})
+        check_refused(shop.render(joined({"--filter", shop.weights}, more)), 2, "--filter");
     CHECK(shop.render({"--filter", shop.weights, "--mode", "2x2"}).code == 0);
 }
 
@@ -138,9 +130,7 @@ TEST_CASE("training makes pictures of unseen views more alike, the same bytes ea
     const auto trained = [&](const std::string& name) {
         Arguments all = call;
         all.insert(all.end(), {"-o", shop.folder / name, "--json"});
-        const Outcome outcome = lumi(all);
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        const test::Outcome outcome = done(lumi(all));
         told = outcome.out;
         return test::content_of(shop.folder / name);
     };
@@ -150,9 +140,7 @@ TEST_CASE("training makes pictures of unseen views more alike, the same bytes ea
     REQUIRE(shop.render({}).code == 0);
     REQUIRE(shop.render({"--filter", shop.weights}, "f.png").code == 0);
     CHECK(test::content_of(shop.folder / "f.png") != test::content_of(shop.folder / "o.png"));
-    const Outcome other = lumi({"filter", "train", shop.field, test::kScene, "-o", shop.weights});
-    CHECK(other.code == 1);
-    CHECK_THAT(other.err, Catch::Contains("their spheres differ"));
+    check_refused(lumi({"filter", "train", shop.field, test::kScene, "-o", shop.weights}), 1, "their spheres differ");
 }
 
 TEST_CASE("a network of zeros returns what it is given, at every size")

@@ -49,12 +49,7 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--ram", "40kB"}, "belongs to --fit"},
         {{"--fit", "1MB", "--ram", "much"}, "--ram takes a size below 4 GB such as 40kB"},
     };
-    for (const auto& [options, hint] : calls) {
-        const Outcome outcome = lumi(fit(output, options));
-        INFO(outcome.err);
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains(hint));
-    }
+    for (const auto& [options, hint] : calls) check_refused(lumi(fit(output, options)), 2, hint);
     CHECK(folder.entries() == 0);
 }
 
@@ -71,9 +66,7 @@ TEST_CASE("a budget that nothing fits into ends with the smallest size that work
     CHECK(test::content_of(folder / "o.lumi") == "earlier");
 
     const std::string size = std::to_string(std::stoul(small.err.substr(at + before.size())));
-    const Outcome enough = lumi(fit(folder / "o.lumi", joined({"--fit", size}, kOriginsByHand)));
-    INFO(enough.err);
-    CHECK(enough.code == 0);
+    done(lumi(fit(folder / "o.lumi", joined({"--fit", size}, kOriginsByHand))));
     CHECK(std::to_string(std::filesystem::file_size(folder / "o.lumi")) == size);
 }
 
@@ -93,9 +86,7 @@ TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options ba
 {
     const test::TemporaryFolder folder;
     const std::string planned = folder / "planned.lumi", again = folder / "again.lumi", plan = folder / "plan.json";
-    const Outcome outcome = lumi(fit(planned, joined({"--fit", "60kB", "--plan", plan}, kOriginsByHand)));
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(lumi(fit(planned, joined({"--fit", "60kB", "--plan", plan}, kOriginsByHand))));
     CHECK(std::filesystem::file_size(planned) <= 60000);
     CHECK(std::filesystem::file_size(planned) > 55000);
     const auto json = nlohmann::json::parse(test::content_of(plan));
@@ -111,10 +102,8 @@ TEST_CASE("a plan fits its budget, keeps what is set by hand, and its options ba
 TEST_CASE("a plan alone writes no field, for machines it is JSON lines")
 {
     const test::TemporaryFolder folder;
-    const Outcome outcome =
-        lumi(joined({"bake", kScene, "--plan-only", "--fit", "40kB", "--progress", "json"}, kOriginsByHand));
-    INFO(outcome.err);
-    CHECK(outcome.code == 0);
+    const test::Outcome outcome =
+        done(lumi(joined({"bake", kScene, "--plan-only", "--fit", "40kB", "--progress", "json"}, kOriginsByHand)));
     CHECK(folder.entries() == 0);
     std::istringstream lines(outcome.out);
     size_t count = 0;
@@ -133,9 +122,7 @@ TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, 
     REQUIRE(bake({"--ram", "900kB"}).code == 0);
     const auto roomy = nlohmann::json::parse(test::content_of(plan));
     CHECK(roomy["triangles_without_ram"] == 0);
-    const Outcome tight = bake({"--ram", std::to_string(roomy["ram_bytes"].get<uint64_t>() - 4000)});
-    INFO(tight.err);
-    REQUIRE(tight.code == 0);
+    const test::Outcome tight = done(bake({"--ram", std::to_string(roomy["ram_bytes"].get<uint64_t>() - 4000)}));
     const auto json = nlohmann::json::parse(test::content_of(plan));
     CHECK(json["ram_bytes"] <= roomy["ram_bytes"].get<uint64_t>() - 4000);
     CHECK(json["triangles_without_ram"] == roomy["triangles"]);
@@ -145,23 +132,17 @@ TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, 
     CHECK(low.code == 0);
     CHECK(nlohmann::json::parse(test::content_of(plan))["triangles_without_ram"] == 0);
     const std::string before = test::content_of(plan);
-    const Outcome none = bake({"--ram", "9kB"});
-    CHECK(none.code == 1);
-    CHECK_THAT(none.err, Catch::Contains("give more --ram, or fewer --rows"));
+    check_refused(bake({"--ram", "9kB"}), 1, "give more --ram, or fewer --rows");
     CHECK(test::content_of(plan) == before);
-    const Outcome chord =
-        lumi({"bake", scene, "-o", folder / "o.lumi", "--layout", "chord", "--fit", "60kB", "--ram", "5kB"});
-    CHECK(chord.code == 1);
-    CHECK_THAT(chord.err, Catch::Contains("give more RAM, or fewer --rows"));
+    check_refused(lumi({"bake", scene, "-o", folder / "o.lumi", "--layout", "chord", "--fit", "60kB", "--ram", "5kB"}),
+                  1, "give more RAM, or fewer --rows");
 }
 
 TEST_CASE("a pace names the mode that reaches it, of a chord field too")
 {
     const test::TemporaryFolder folder;
-    const Outcome outcome =
-        lumi(fit(folder / "o.lumi", joined({"--fit", "20kB", "--for", "rp2350@2fps"}, kOriginsByHand)));
-    INFO(outcome.err);
-    CHECK(outcome.code == 0);
+    const test::Outcome outcome =
+        done(lumi(fit(folder / "o.lumi", joined({"--fit", "20kB", "--for", "rp2350@2fps"}, kOriginsByHand))));
     CHECK_THAT(outcome.out, Catch::Contains("RP2350: ") && Catch::Contains(" frames a second at 240 x 240 pixels ("));
 }
 

@@ -35,9 +35,7 @@ void write_panes(const std::string& path)
 
 void succeed(const test::Arguments& call)
 {
-    const Outcome outcome = lumi(call);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi(call));
     CHECK_THAT(outcome.out, Catch::Contains("CRC-32"));
 }
 
@@ -78,10 +76,7 @@ double facing(const Mesh& mesh, const std::array<size_t, 3>& face, size_t axis)
 
 void check_refused(const test::Arguments& call, int code, const std::string& words)
 {
-    const Outcome outcome = lumi(call);
-    INFO(outcome.err);
-    CHECK(outcome.code == code);
-    CHECK_THAT(outcome.err, Catch::Contains(words));
+    check_refused(lumi(call), code, words);
 }
 
 }  // namespace
@@ -197,10 +192,8 @@ TEST_CASE("the header of an embedded field names its parts, in C and in C++")
     for (const auto& [compiler, standard, file] :
          {std::array<std::string, 3>{LUMI_CXX_COMPILER, "-std=c++17", "main.cpp"},
           {LUMI_C_COMPILER, "-std=c99", "main.c"}}) {
-        const Outcome compiled = test::run_program({compiler, standard, "-Wall", "-Wextra", "-Werror", "-fsyntax-only",
-                                                    "-I", LUMI_CORE_INCLUDE, "-I", folder.path(), folder / file});
-        INFO(compiled.err);
-        CHECK(compiled.code == 0);
+        done(test::run_program({compiler, standard, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I",
+                                LUMI_CORE_INCLUDE, "-I", folder.path(), folder / file}));
     }
 }
 

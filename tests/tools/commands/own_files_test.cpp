@@ -92,10 +92,7 @@ void check_refused(const std::string& call, const std::string& file, const std::
 {
     const Workshop shop;
     const auto before = shop.entries();
-    const Outcome outcome = shop.run(call);
-    INFO("lumi " << call << "\n" << outcome.err);
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::StartsWith("lumi: " + file + ": ") && Catch::EndsWith("; " + mend + "\n"));
+    check_refused(shop.run(call), 1, Catch::StartsWith("lumi: " + file + ": ") && Catch::EndsWith("; " + mend + "\n"));
     const auto after = shop.entries();
     CHECK(after.size() == before.size());
     for (const auto& [name, content] : before) {
@@ -133,9 +130,7 @@ TEST_CASE("own files: bake keeps every file of its scene, under any name")
 TEST_CASE("own files: a field that is given as a scene is called a field")
 {
     const Workshop workshop;
-    const Outcome outcome = test::lumi({"bake", workshop.folder / "f.lumi"});
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("f.lumi: this is a field already; draw it by"));
+    check_refused(test::lumi({"bake", workshop.folder / "f.lumi"}), 1, "f.lumi: this is a field already; draw it by");
 }
 
 TEST_CASE("own files: bake's checkpoint and its unfinished files spare the scene")
@@ -174,11 +169,9 @@ TEST_CASE("own files: merge keeps its shards")
         {"merge g.1-of-2.shard g.2-of-2.shard -o hard.shard", "hard.shard"},
         {"merge g.1-of-2.shard m.new -o m", "m.new"}};
     for (const auto& [call, file] : calls) {
-        const Outcome outcome = shop.run(call);
-        INFO("lumi " << call << "\n" << outcome.err);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::StartsWith("lumi: " + file + ": ") &&
-                                    Catch::EndsWith("; choose another name for the output\n"));
+        check_refused(
+            shop.run(call), 1,
+            Catch::StartsWith("lumi: " + file + ": ") && Catch::EndsWith("; choose another name for the output\n"));
         CHECK((shop.entries() == before));
     }
 }
@@ -244,12 +237,8 @@ TEST_CASE("own files: no command replaces a model, though it does not read it, b
                                                          {"embed f.lumi -o x.bin", "x.bin"},
                                                          {"view f.lumi -o link.html", "link.html"},
                                                          {plan.substr(0, plan.rfind(' ')) + " s.json", "s.json"}};
-    for (const auto& [call, file] : calls) {
-        const Outcome outcome = shop.run(call);
-        INFO("lumi " << call << "\n" << outcome.err);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains(file + ": this is a file of a model, which lumi did not write"));
-    }
+    for (const auto& [call, file] : calls)
+        check_refused(shop.run(call), 1, file + ": this is a file of a model, which lumi did not write");
     for (const char* name : {"s.mtl", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb"})
         CHECK(shop.run("bake s.obj -o " + std::string(name) + kTinyBake).code == 1);
     CHECK((shop.entries() == before));
@@ -273,11 +262,7 @@ TEST_CASE("own files: outputs may replace earlier outputs, be new, or be a devic
         "report s.obj new.lumi --spp 1 --count 1 -o r.html --json",
         "report s.obj new.lumi --spp 1 --count 1 -o r.html --json",
     };
-    for (const std::string& call : calls) {
-        const Outcome outcome = shop.run(call);
-        INFO("lumi " << call << "\n" << outcome.err);
-        CHECK(outcome.code == 0);
-    }
+    for (const std::string& call : calls) done(shop.run(call));
     CHECK(test::content_of(shop.folder / "s.obj") == kObj);
 }
 

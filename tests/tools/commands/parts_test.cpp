@@ -34,10 +34,7 @@ const test::Arguments kNeedle = {"--up", "z", "--part", "a=b:needle:x@0,0,0"};
 
 Picture drawn(const test::Arguments& arguments, const std::string& output)
 {
-    const test::Outcome outcome =
-        lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,0,3", "--background", "black"}));
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,0,3", "--background", "black"})));
     return read_png(output);
 }
 
@@ -54,10 +51,8 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
 {
     const test::TemporaryFolder folder;
     const std::string scene = write_gauge(folder), field = folder / "gauge.lumi";
-    const test::Outcome baked =
-        lumi(joined(joined({"bake", scene, "-o", field}, kNeedle), {"--fit", "60kB", "--paths", "20", "--sky", "0.8"}));
-    INFO(baked.err);
-    REQUIRE(baked.code == 0);
+    done(lumi(
+        joined(joined({"bake", scene, "-o", field}, kNeedle), {"--fit", "60kB", "--paths", "20", "--sky", "0.8"})));
     Picture rest;
     for (const std::string pose : {"0", "90", "-135", "540"}) {
         const Picture field_picture = drawn({"render", field, "--part", "a=b:needle=" + pose}, folder / "f.png");

@@ -22,17 +22,13 @@ namespace
 void bake_picture_field(const std::string& output, test::Arguments more)
 {
     more.insert(more.begin(), {"bake", kScene, "-o", output});
-    const Outcome outcome = lumi(more);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi(more));
     CHECK_THAT(outcome.out, Catch::StartsWith(output) && Catch::Contains("\nRP2040: "));
 }
 
 void draw(test::Arguments call)
 {
-    const Outcome outcome = lumi(std::move(call));
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(lumi(std::move(call)));
 }
 
 Picture mirrored(const Picture& picture)

@@ -40,9 +40,7 @@ TEST_CASE("report measures a field and writes page and JSON")
                 .code == 0);
     const test::Arguments call = {"report",  LUMI_TEST_SCENE,  field, "--count",        "1", "--spp", "1",
                                   "--cache", folder / "cache", "-o",  folder / "r.html"};
-    const test::Outcome outcome = test::lumi(call);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi(call));
     CHECK_THAT(outcome.out, Catch::Contains("frames a second"));
     test::Arguments for_machines = call;
     for_machines.push_back("--json");
@@ -61,21 +59,15 @@ TEST_CASE("report --mode draws a chord field by every mode that is named, in vie
         return test::lumi({"report", scene, field, "--count", "1", "--spp", "1", "--size", "48", "--cache",
                            folder / "cache", "--json", "--mode", modes});
     };
-    const test::Outcome outcome = report("nearest,linear,paper5,linear/8");
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(report("nearest,linear,paper5,linear/8"));
     const auto written = nlohmann::json::parse(outcome.out);
     REQUIRE(written["variants"].size() == 4);
     CHECK(written["variants"][0]["layout"] == "nearest");
     CHECK(written["variants"][1]["psnr_db"] == written["fields"][0]["psnr_db"]);
     CHECK(written["variants"][2]["psnr_db"] != written["variants"][0]["psnr_db"]);
     CHECK(written["variants"][3]["layout"] == "linear/8");
-    for (const char* wrong : {"paper0", "paper10", "cubic", "linear/3", "paper5/8", "linear/", "dither"}) {
-        const test::Outcome refused = report(wrong);
-        INFO(wrong << refused.err);
-        CHECK(refused.code == 2);
-        CHECK_THAT(refused.err, Catch::Contains("paperK with K from 1 to 9"));
-    }
+    for (const char* wrong : {"paper0", "paper10", "cubic", "linear/3", "paper5/8", "linear/", "dither"})
+        check_refused(report(wrong), 2, "paperK with K from 1 to 9");
 }
 
 namespace
@@ -107,9 +99,7 @@ TEST_CASE("report --for recommends for every part a row of its front, and names 
 {
     const Fields fields;
     const std::string page = fields.folder / "r.html";
-    const test::Outcome outcome = fields.report({"--for", "rp2040,stm32h7@60fps", "--json", "-o", page});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(fields.report({"--for", "rp2040,stm32h7@60fps", "--json", "-o", page}));
     const auto trade = nlohmann::json::parse(outcome.out)["trade"];
     const auto& rows = trade["rows"];
     REQUIRE(trade["parts"].size() == 2);
@@ -146,10 +136,8 @@ TEST_CASE("report --for without fields bakes a ladder, and takes what an earlier
     for (const char* size : {"120kB", "250kB", "500kB"})
         std::filesystem::copy(fields.surface, kept / ("surface-" + std::string(size) + "-12paths.lumi"));
     std::filesystem::copy(fields.chord, kept / "chord-1MB-4paths.lumi");
-    const test::Outcome outcome = test::lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for",
-                                              "rp2040", "--json", "--cache", cache.string()});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for",
+                                             "rp2040", "--json", "--cache", cache.string()}));
     const auto report = nlohmann::json::parse(outcome.out);
     CHECK(report["fields"].size() == 4);
     const std::string command = report["trade"]["parts"][0]["commands"][0];
@@ -176,9 +164,7 @@ TEST_CASE("a second report traces no reference again, and traces anew what is da
     const std::filesystem::path cache = fields.folder / "cache";
     const test::Arguments call = {"--json"};
     const auto figures = [&] {
-        const test::Outcome outcome = fields.report(call);
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        const test::Outcome outcome = done(fields.report(call));
         nlohmann::json fields_of_report = nlohmann::json::parse(outcome.out)["fields"];
         for (nlohmann::json& field : fields_of_report) field.erase("draw_ms");
         return fields_of_report;
@@ -214,19 +200,15 @@ TEST_CASE("a report measures another field under the same name anew")
 
 TEST_CASE("report without fields and without parts says what it takes")
 {
-    const test::Outcome outcome = test::lumi({"report", LUMI_TEST_SCENE});
-    CHECK(outcome.code == 2);
-    CHECK_THAT(outcome.err, Catch::Contains("--for with parts"));
+    check_refused(test::lumi({"report", LUMI_TEST_SCENE}), 2, "--for with parts");
 }
 
 TEST_CASE("report --for refuses what is no part, with the list of parts")
 {
     const test::TemporaryFolder folder;
     for (const char* wrong : {"z80", "rp2040@", "rp2040@0fps", "rp2040,z80@10fps"}) {
-        const test::Outcome outcome = test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--for", wrong});
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err,
-                   Catch::Contains("rp2040, rp2350, stm32f4, stm32h7, esp32s3, nrf52840, stm32u5 or esp32c3"));
+        check_refused(test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--for", wrong}), 2,
+                      "rp2040, rp2350, stm32f4, stm32h7, esp32s3, nrf52840, stm32u5 or esp32c3");
     }
 }
 
@@ -234,10 +216,9 @@ TEST_CASE("report refuses what is not a field before it traces anything")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "f.lumi", "no field");
-    const test::Outcome outcome =
-        test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--cache", folder / "cache", "--spp", "1000000"});
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("f.lumi"));
+    check_refused(
+        test::lumi({"report", LUMI_TEST_SCENE, folder / "f.lumi", "--cache", folder / "cache", "--spp", "1000000"}), 1,
+        "f.lumi");
 }
 
 }  // namespace lumi::tools

@@ -82,11 +82,7 @@ TEST_CASE("a rename whose answer was lost has been done")
     const Arguments bake = {"bake", kScene,         "-o", folder / "o.lumi", "--origins",
                             "8",    "--directions", "8",  "--spp",           "1"};
     for (const Arguments& call : {embed, bake})
-        for (const char* which : {"1", "2"}) {
-            const Outcome outcome = lumi_with("LUMI_FAULT=rename:" + std::string(which) + ":done", call);
-            INFO(outcome.err);
-            CHECK(outcome.code == 0);
-        }
+        for (const char* which : {"1", "2"}) done(lumi_with("LUMI_FAULT=rename:" + std::string(which) + ":done", call));
     CHECK(content_of(folder / "o.bin") == content_of(folder / "f.lumi"));
 }
 
@@ -113,9 +109,7 @@ TEST_CASE("a bake that was killed ten times before random writes is bit-identica
     }
     Arguments again = long_bake(killed);
     again.insert(again.end(), {"--progress", "json"});
-    const Outcome last = lumi(again);
-    INFO(last.err);
-    REQUIRE(last.code == 0);
+    const test::Outcome last = done(lumi(again));
     CHECK(content_of(killed) == content_of(whole));
     CHECK(folder.entries() == 2);
     const auto lines = json_lines(last.out);
@@ -156,9 +150,7 @@ TEST_CASE("shards baked by separate calls merge to the bytes of one bake, --rest
     REQUIRE(lumi(bake(folder / "one.lumi")).code == 0);
     Arguments merge = {"merge", "-o", folder / "merged.lumi"};
     for (const char* shard : {"1/3", "2/3", "3/3"}) {
-        const Outcome outcome = lumi(bake(folder / "f.lumi", {"--shard", shard}));
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        const test::Outcome outcome = done(lumi(bake(folder / "f.lumi", {"--shard", shard})));
         CHECK_THAT(outcome.out, Catch::Contains("of-3.shard: "));
         merge.push_back(folder / "f.lumi." + shard[0] + "-of-3.shard");
     }
@@ -169,11 +161,10 @@ TEST_CASE("shards baked by separate calls merge to the bytes of one bake, --rest
 
     test::write_content(merge.back(), content_of(merge.back()).substr(0, 500));
     std::filesystem::remove(folder / "f.lumi.2-of-3.shard");
-    const Outcome refused = lumi(merge);
-    CHECK(refused.code == 1);
-    CHECK_THAT(refused.err, Catch::Contains("2-of-3.shard: cannot be opened") && Catch::Contains("3-of-3.shard: ") &&
-                                Catch::Contains("rows are missing or damaged") &&
-                                Catch::Contains("lumi: shard 2 of 3 is missing; bake it with --shard 2/3"));
+    check_refused(lumi(merge), 1,
+                  Catch::Contains("2-of-3.shard: cannot be opened") && Catch::Contains("3-of-3.shard: ") &&
+                      Catch::Contains("rows are missing or damaged") &&
+                      Catch::Contains("lumi: shard 2 of 3 is missing; bake it with --shard 2/3"));
     CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
 }
 
@@ -213,22 +204,18 @@ TEST_CASE("a bake says how many rays adaptive sampling saved, --adaptive 0 saves
 TEST_CASE("numbers below 0, texts in UTF-16 and pipes are refused by name")
 {
     const test::TemporaryFolder folder;
-    const Outcome seed = lumi(bake(folder / "f.lumi", {"--seed", "-1"}));
-    CHECK(seed.code == 2);
-    CHECK_THAT(seed.err, Catch::Contains("--seed") &&
-                             Catch::Contains("takes a whole number from 0 to 18446744073709551615, not \"-1\""));
+    check_refused(lumi(bake(folder / "f.lumi", {"--seed", "-1"})), 2,
+                  Catch::Contains("--seed") &&
+                      Catch::Contains("takes a whole number from 0 to 18446744073709551615, not \"-1\""));
     test::write_content(folder / "wide.obj", std::string("\xFF\xFEv\0 \0", 6));
-    const Outcome wide = lumi({"bake", folder / "wide.obj", "-o", folder / "f.lumi"});
-    CHECK(wide.code == 1);
-    CHECK_THAT(wide.err, Catch::Contains("wide.obj: this text is in UTF-16; save it in UTF-8"));
+    check_refused(lumi({"bake", folder / "wide.obj", "-o", folder / "f.lumi"}), 1,
+                  "wide.obj: this text is in UTF-16; save it in UTF-8");
     std::filesystem::create_directories(folder / "d");
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);  // nobody writes into it
     for (const char* command : {"inspect", "merge"}) {
         Arguments call = {command, folder / "pipe"};
         if (command == std::string("merge")) call.insert(call.end(), {"-o", folder / "f.lumi"});
-        const Outcome outcome = lumi(call);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("pipe: ") && Catch::Contains("; "));
+        check_refused(lumi(call), 1, Catch::Contains("pipe: ") && Catch::Contains("; "));
     }
 }
 

@@ -25,9 +25,7 @@ Outcome reference(const std::string& picture, const test::Arguments& more)
 Picture lit_by(const std::string& environment, const std::string& background = "ff00ff")
 {
     const test::TemporaryFolder folder;
-    const Outcome outcome = reference(folder / "p.png", {"--sky", environment, "--background", background});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(reference(folder / "p.png", {"--sky", environment, "--background", background}));
     return read_png(folder / "p.png");
 }
 
@@ -82,11 +80,9 @@ TEST_CASE("sky: one that cannot be is a wrong call that says what can")
     const test::TemporaryFolder folder;
     for (const char* word : {"red", "-1", "1,2", "1,2,3,4", "1,,2", "1,2,", "nan", "inf", "1e12", "0.5x", "studio,1"}) {
         INFO(word);
-        const Outcome outcome = reference(folder / "p.png", {"--sky", word});
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err,
-                   Catch::Contains("--sky") &&
-                       Catch::Contains("takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture"));
+        check_refused(reference(folder / "p.png", {"--sky", word}), 2,
+                      Catch::Contains("--sky") &&
+                          Catch::Contains("takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture"));
     }
     CHECK(folder.entries() == 0);
 }
@@ -100,27 +96,21 @@ TEST_CASE("sky: --sky takes a picture, which lights as its pixels say")
     test::write_content(folder / "room.hdr", hdr);
     const double picture = mean_of(lit_by(folder / "room.hdr"), 1), colour = mean_of(lit_by("0.5"), 1);
     CHECK(picture == Approx(colour).epsilon(0.02));
-    const Outcome missing = reference(folder / "p.png", {"--sky", folder / "no.exr"});
-    CHECK(missing.code == 1);
-    CHECK_THAT(missing.err, Catch::Contains("no.exr"));
+    check_refused(reference(folder / "p.png", {"--sky", folder / "no.exr"}), 1, "no.exr");
 }
 
 TEST_CASE("exposure: --exposure multiplies all light, counts more than the scene file, and bake and reference agree")
 {
     const test::TemporaryFolder folder;
     const auto picture = [&](const test::Arguments& more) {
-        const Outcome outcome = reference(folder / "p.png", more);
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(reference(folder / "p.png", more));
         return read_png(folder / "p.png").rgb;
     };
     CHECK(picture({"--sky", "0.8", "--exposure", "-1"}) == picture({"--sky", "0.4"}));
     const auto baked = [&](const test::Arguments& more) {
-        const Outcome outcome = lumi(joined(
+        done(lumi(joined(
             {"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins", "40", "--directions", "40", "--spp", "4"},
-            more));
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+            more)));
         return test::content_of(folder / "f.lumi");
     };
     CHECK(baked({"--sky", "0.8", "--exposure", "-1"}) == baked({"--sky", "0.4"}));
@@ -136,9 +126,7 @@ TEST_CASE("exposure: bake and reference choose and say the same one, and --expos
         std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE +
             R"("}], "lights": [{"type": "directional", "direction": [-1, -1, -1], "irradiance": 900}]})");
     const auto said = [&](const test::Arguments& call) {
-        const Outcome outcome = lumi(call);
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        const test::Outcome outcome = done(lumi(call));
         const size_t begin = outcome.err.find("lumi: the exposure is set to -");
         return begin == std::string::npos ? "" : outcome.err.substr(begin, outcome.err.find('\n', begin) - begin);
     };
@@ -156,10 +144,8 @@ TEST_CASE("colours: --colours display darkens what MTL says, also of a model in 
     test::write_content(folder / "m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     test::write_content(folder / "s.json", R"({"objects": [{"obj": "m.obj"}]})");
     const auto brightness = [&](const char* scene, const char* colours) {
-        const Outcome outcome = lumi({"reference", folder / scene, "-o", folder / "p.png", "--size", "16x16", "--spp",
-                                      "64", "--sky", "1", "--colours", colours});
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(lumi({"reference", folder / scene, "-o", folder / "p.png", "--size", "16x16", "--spp", "64", "--sky", "1",
+                   "--colours", colours}));
         return mean_of(read_png(folder / "p.png"), 1);
     };
     for (const char* scene : {"m.obj", "s.json"})
@@ -170,9 +156,7 @@ TEST_CASE("reference: an .exr holds linear light, before exposure, and its cover
 {
     const test::TemporaryFolder folder;
     const auto bytes = [&](const test::Arguments& more) {
-        const Outcome outcome = reference(folder / "p.exr", more);
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(reference(folder / "p.exr", more));
         return test::content_of(folder / "p.exr");
     };
     const std::string light = bytes({"--sky", "40"});
@@ -183,9 +167,8 @@ TEST_CASE("reference: an .exr holds linear light, before exposure, and its cover
     CHECK(reference(folder / "q.png", {"--sky", folder / "p.exr"}).code == 0);
     for (const test::Arguments& more : {test::Arguments{"--background", "ff00ff"},
                                         test::Arguments{"--over", folder / "q.png", "--pose", folder / "pose.txt"}}) {
-        const Outcome outcome = lumi(joined({"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"}, more));
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains(more[0]) && Catch::Contains("leave it out"));
+        check_refused(lumi(joined({"reference", LUMI_TEST_SCENE, "-o", folder / "q.exr"}, more)), 2,
+                      Catch::Contains(more[0]) && Catch::Contains("leave it out"));
     }
 }
 
@@ -193,19 +176,16 @@ TEST_CASE("footprint: --footprint says what a texel is the mean of")
 {
     const test::TemporaryFolder folder;
     const auto baked = [&](const std::string& footprint) {
-        const Outcome outcome = lumi({"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins", "40",
-                                      "--directions", "40", "--spp", "4", "--footprint", footprint});
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(lumi({"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--origins", "40", "--directions", "40", "--spp",
+                   "4", "--footprint", footprint}));
         return test::content_of(folder / "f.lumi");
     };
     const std::string point = baked("point"), origin = baked("origin"), both = baked("both");
     CHECK(point != origin);
     CHECK(point != both);
     CHECK(origin != both);
-    const Outcome outcome = lumi({"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--footprint", "cell"});
-    CHECK(outcome.code == 2);
-    CHECK_THAT(outcome.err, Catch::Contains("point") && Catch::Contains("origin") && Catch::Contains("both"));
+    check_refused(lumi({"bake", LUMI_TEST_SCENE, "-o", folder / "f.lumi", "--footprint", "cell"}), 2,
+                  Catch::Contains("point") && Catch::Contains("origin") && Catch::Contains("both"));
 }
 
 TEST_CASE("beam: --beam says how a texel's rays lie, and is refused where there is one ray")
@@ -224,9 +204,8 @@ TEST_CASE("beam: --beam says how a texel's rays lie, and is refused where there 
     CHECK(baked("parallel") != converging);
     REQUIRE(bake({}).code == 0);
     CHECK(test::content_of(folder / "f.lumi") == converging);
-    const Outcome one_ray = bake({"--beam", "parallel", "--footprint", "point"});
-    CHECK(one_ray.code == 2);
-    CHECK_THAT(one_ray.err, Catch::Contains("--footprint point") && Catch::Contains("one ray"));
+    check_refused(bake({"--beam", "parallel", "--footprint", "point"}), 2,
+                  Catch::Contains("--footprint point") && Catch::Contains("one ray"));
 }
 
 TEST_CASE("view: a camera of the file draws what its saved pose draws, and a name that no camera has is refused")
@@ -244,9 +223,7 @@ TEST_CASE("view: a camera of the file draws what its saved pose draws, and a nam
         return lumi(
             joined({"reference", folder / "m.gltf", "-o", folder / picture, "--size", "40x24", "--spp", "4"}, more));
     };
-    const Outcome seen = reference("a.png", {"--view", "Front", "--save-pose", folder / "p.txt"});
-    INFO(seen.err);
-    REQUIRE(seen.code == 0);
+    const test::Outcome seen = done(reference("a.png", {"--view", "Front", "--save-pose", folder / "p.txt"}));
     const size_t fov = seen.err.find("--fov ");
     REQUIRE(fov != std::string::npos);
     // 0.6 radians from top to bottom of 24 pixels are 54.5° over 40.

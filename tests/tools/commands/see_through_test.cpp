@@ -34,9 +34,7 @@ void write_pane_above_square(const std::string& path)
 
 Outcome success(const test::Arguments& call)
 {
-    const Outcome outcome = lumi(call);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi(call));
     return outcome;
 }
 
@@ -85,11 +83,8 @@ TEST_CASE("the view of an embedded field has room for its see-through patches, a
                         "#include \"pane.h\"\n"
                         "static pane_view<lumi::Screen<64, 64, 16>> view;\n"
                         "bool opens() { return view.open(pane, pane_size()) == lumi::ViewError::none; }\n");
-    const Outcome compiled =
-        test::run_program({LUMI_CXX_COMPILER, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I",
-                           LUMI_CORE_INCLUDE, "-I", folder.path(), folder / "main.cpp"});
-    INFO(compiled.err);
-    CHECK(compiled.code == 0);
+    done(test::run_program({LUMI_CXX_COMPILER, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I",
+                            LUMI_CORE_INCLUDE, "-I", folder.path(), folder / "main.cpp"}));
 }
 
 }  // namespace lumi::tools

@@ -56,11 +56,9 @@ TEST_CASE("a full disk behind standard output is a failure that is told, whateve
 {
     for (const char* call : kCalls) {
         const Desk desk;
-        const Outcome outcome = desk.run(call, " > /dev/full");
-        INFO(call << "\n" << outcome.err);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written") &&
-                                    Catch::Contains("; free some space on that disk, or send it elsewhere\n"));
+        check_refused(desk.run(call, " > /dev/full"), 1,
+                      Catch::Contains("lumi: standard output: cannot be written") &&
+                          Catch::Contains("; free some space on that disk, or send it elsewhere\n"));
     }
 }
 
@@ -69,10 +67,7 @@ TEST_CASE("a closed standard output is a failure too, and no file gets what was 
     for (const char* call : kCalls) {
         const Desk open, closed;
         REQUIRE(open.run(call, "").code == 0);
-        const Outcome outcome = closed.run(call, " >&-");
-        INFO(call << "\n" << outcome.err);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("lumi: standard output: cannot be written"));
+        check_refused(closed.run(call, " >&-"), 1, "lumi: standard output: cannot be written");
         for (const char* output : {"O", "O.png"})
             if (std::filesystem::exists(open.folder / output))
                 CHECK((test::content_of(open.folder / output) == test::content_of(closed.folder / output)));

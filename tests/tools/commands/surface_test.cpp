@@ -32,10 +32,8 @@ std::string write_surface(const test::TemporaryFolder& folder)
 TEST_CASE("bake writes the bytes of a surface field, and says nothing of a mesh that misses nothing")
 {
     const test::TemporaryFolder folder;
-    const test::Outcome outcome =
-        lumi(joined({"bake", test::write_cube(folder.path()), "-o", folder / "f.lumi"}, test::small_surface_options()));
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi(
+        joined({"bake", test::write_cube(folder.path()), "-o", folder / "f.lumi"}, test::small_surface_options())));
     CHECK_THAT(outcome.out, !Catch::Contains("missing"));
     CHECK((test::content_of(folder / "f.lumi") == test::small_surface_bytes()));
 }
@@ -45,9 +43,7 @@ TEST_CASE("render draws surface fields in every mode of theirs, by default the b
     const test::TemporaryFolder folder;
     const std::string field = write_surface(folder);
     const auto drawn = [&](const test::Arguments& more) {
-        const test::Outcome outcome = lumi(joined({"render", field, "-o", folder / "o.png", "--size", "64x64"}, more));
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(lumi(joined({"render", field, "-o", folder / "o.png", "--size", "64x64"}, more)));
         return read_png(folder / "o.png");
     };
     const Picture best = drawn({});
@@ -67,9 +63,7 @@ TEST_CASE("render draws over a dark grey gradient, over black where it is told s
     const auto drawn = [&](const test::Arguments& call, const std::string& background) {
         const test::Arguments over =
             background.empty() ? test::Arguments{} : test::Arguments{"--background", background};
-        const test::Outcome outcome = lumi(joined(joined({"render", "-o", png, "--size", "64x64"}, call), over));
-        INFO(outcome.err);
-        REQUIRE(outcome.code == 0);
+        done(lumi(joined(joined({"render", "-o", png, "--size", "64x64"}, call), over)));
         return host::decode_png(test::content_of(png), true);
     };
     SurfaceField field;
@@ -106,10 +100,7 @@ TEST_CASE("render draws over a dark grey gradient, over black where it is told s
 TEST_CASE("a turntable of a surface field is drawn")
 {
     const test::TemporaryFolder folder;
-    const test::Outcome outcome =
-        lumi({"render", write_surface(folder), "-o", folder / "o.png", "--turntable", "3", "--size", "20x16"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(lumi({"render", write_surface(folder), "-o", folder / "o.png", "--turntable", "3", "--size", "20x16"}));
     CHECK(read_png(folder / "o-002.png").width_px == 20);
     CHECK(folder.entries() == 5);
 }
@@ -124,11 +115,8 @@ TEST_CASE("render refuses modes of the other kind of field, and names those of i
         {{surface, "--span", "8"}, "--span belongs to chord fields"},
         {{chord, "--mode", "2x2"}, "choose nearest, linear or paper"},
     };
-    for (const auto& [call, hint] : calls) {
-        const test::Outcome outcome = lumi(joined({"render", "-o", folder / "o.png"}, call));
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains(hint));
-    }
+    for (const auto& [call, hint] : calls)
+        check_refused(lumi(joined({"render", "-o", folder / "o.png"}, call)), 2, hint);
 }
 
 TEST_CASE("inspect accounts for every byte of a surface field")
@@ -165,11 +153,7 @@ TEST_CASE("a damaged texel of a surface field stops render, embed and report")
                                                 {"embed", field, "-o", folder / "o.S"},
                                                 {"report", scene, field},
                                                 {"inspect", field, "--verify"}};
-    for (const auto& call : calls) {
-        const test::Outcome outcome = lumi(call);
-        CHECK(outcome.code == 1);
-        CHECK_THAT(outcome.err, Catch::Contains("the view table section's bytes are damaged (CRC)"));
-    }
+    for (const auto& call : calls) check_refused(lumi(call), 1, "the view table section's bytes are damaged (CRC)");
 }
 
 TEST_CASE("embed names the function that opens a surface field")
@@ -186,10 +170,8 @@ TEST_CASE("report measures a surface field and tells how fast parts draw it")
 {
     const test::TemporaryFolder folder;
     const std::string scene = test::write_cube(folder.path());
-    const test::Outcome outcome = lumi({"report", scene, write_surface(folder), "--count", "1", "--spp", "2", "--cache",
-                                        folder / "cache", "-o", folder / "r.html"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const test::Outcome outcome = done(lumi({"report", scene, write_surface(folder), "--count", "1", "--spp", "2",
+                                             "--cache", folder / "cache", "-o", folder / "r.html"}));
     CHECK_THAT(outcome.out, Catch::Contains("s.lumi: 240 x 240 pixels") && Catch::Contains("; RP2040 "));
     CHECK_THAT(test::content_of(folder / "r.html"), Catch::Contains("<td>surface<") || Catch::Contains("<td>surface"));
 }
@@ -252,11 +234,8 @@ TEST_CASE("a screen that no part has RAM for is told so, and a screen that none 
                                          {"--screen", "0x466"},
                                          {"--rows", "0"},
                                          {"--screen", "9000x10"},
-                                         {"--for", "z80"}}) {
-        const test::Outcome outcome = lumi(joined({"inspect", field}, wrong));
-        CHECK(outcome.code == 2);
-        CHECK_THAT(outcome.err, Catch::Contains(wrong[0] + " takes"));
-    }
+                                         {"--for", "z80"}})
+        check_refused(lumi(joined({"inspect", field}, wrong)), 2, wrong[0] + " takes");
 }
 
 }  // namespace lumi::tools

@@ -51,9 +51,7 @@ void write_turntable(const std::string& name, int pictures)
 TEST_CASE("a program that was built without clang and lld says what to install")
 {
     if (has_modules()) return;
-    const test::Outcome outcome = view({"-o", folder() / "page.html"});
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("apt-get install clang lld"));
+    check_refused(view({"-o", folder() / "page.html"}), 1, "apt-get install clang lld");
     CHECK_FALSE(std::filesystem::exists(folder() / "page.html"));
 }
 
@@ -74,11 +72,10 @@ TEST_CASE("without -o and without xdg-open, view says how to write the page to a
     const auto view_in = [](const std::string& folder) {
         return test::run_program({"/usr/bin/env", "PATH=/none", "TMPDIR=" + folder, LUMI_PROGRAM, "view", field()});
     };
-    const test::Outcome outcome = view_in(temporary.path()), nowhere = view_in(temporary / "none");
-    CHECK(outcome.code == 1);
-    CHECK_THAT(outcome.err, Catch::Contains("xdg-open") && Catch::Contains("-o view.html"));
+    check_refused(view_in(temporary.path()), 1, Catch::Contains("xdg-open") && Catch::Contains("-o view.html"));
     CHECK(temporary.entries() == 0);
-    CHECK_THAT(nowhere.err, Catch::Contains(temporary / "none: ") && Catch::Contains("; set TMPDIR to a folder"));
+    check_refused(view_in(temporary / "none"), 1,
+                  Catch::Contains(temporary / "none: ") && Catch::Contains("; set TMPDIR to a folder"));
 }
 
 TEST_CASE("a page takes a turntable to compare with, and refuses what is none")
@@ -86,9 +83,7 @@ TEST_CASE("a page takes a turntable to compare with, and refuses what is none")
     if (!has_modules()) return;
     const std::string page = folder() / "compared.html";
     write_turntable("whole", 3);
-    const test::Outcome outcome = view({"-o", page, "--reference", folder() / "whole"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(view({"-o", page, "--reference", folder() / "whole"}));
     const std::string html = test::content_of(page);
     size_t pictures = 0;
     for (size_t at = 0; (at = html.find("iVBORw0KGgo", at)) != std::string::npos; ++at) ++pictures;
@@ -112,9 +107,7 @@ TEST_CASE("a title cannot break out of the page, and need not be UTF-8")
 {
     if (!has_modules()) return;
     const std::string page = folder() / "title.html";
-    const test::Outcome outcome = view({"-o", page, "--title", "caf\xe9</script><b>{{field}}"});
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
+    done(view({"-o", page, "--title", "caf\xe9</script><b>{{field}}"}));
     const std::string html = test::content_of(page);
     CHECK_THAT(html, !Catch::Contains("</script><b>"));
     CHECK_THAT(html, Catch::Contains("&lt;/script&gt;&lt;b&gt;{{field}}"));
@@ -142,9 +135,7 @@ TEST_CASE("a page's module draws what render draws, for fields of both layouts a
         const std::string& path = fields[k];
         test::Arguments call = {LUMI_NODE, LUMI_MODULE_TEST, LUMI_PROGRAM, path};
         if (k >= 2) call.push_back("frames");  // each layout has had the other tests
-        const test::Outcome outcome = test::run_program(call);
-        INFO(path << "\n" << outcome.out << outcome.err);
-        CHECK(outcome.code == 0);
+        done(test::run_program(call));
     }
 }
 #endif

@@ -2,7 +2,9 @@
 // Runs programs as a shell would, and keeps what they say.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace lumi::tools::test
@@ -29,6 +31,26 @@ Outcome run_program(const Arguments& arguments);
 
 // The `lumi` that was built.
 Outcome lumi(Arguments arguments);
+
+// Requires that the call succeeded.
+inline Outcome done(Outcome outcome)
+{
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 0);
+    return outcome;
+}
+
+// Checks that the call ended with `code` and said so: a text, or what a matcher takes.
+template <class Said>
+void check_refused(const Outcome& outcome, int code, const Said& said)
+{
+    INFO(outcome.err);
+    CHECK(outcome.code == code);
+    if constexpr (std::is_convertible_v<const Said&, std::string>)
+        CHECK_THAT(outcome.err, Catch::Contains(std::string(said)));
+    else
+        CHECK_THAT(outcome.err, said);
+}
 
 // Starts `lumi`, sends SIGINT once it has written the progress of its work, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
