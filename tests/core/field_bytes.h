@@ -3,6 +3,7 @@
 // writer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -53,6 +54,17 @@ struct TestLayout {
         return row_stride != 0 ? row_stride : detail::format::padded_row_stride(directions, texel);
     }
 };
+
+// With all origins baked, unless `used` says fewer.
+inline TestLayout layout_of(uint32_t origins, uint32_t directions, TexelFormat texel, uint32_t used = UINT32_MAX)
+{
+    TestLayout layout;
+    layout.origins = origins;
+    layout.used_origins = std::min(origins, used);
+    layout.directions = directions;
+    layout.texel = texel;
+    return layout;
+}
 
 inline TestSection layout_section(const TestLayout& layout)
 {

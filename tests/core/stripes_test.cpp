@@ -4,9 +4,7 @@
 #include <climits>
 #include <vector>
 
-#include "field_bytes.h"
-#include "lumi/chord/render_spans.h"
-#include "views.h"
+#include "chord/drawing.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -84,17 +82,13 @@ void check_everywhere(const Field& field, const Camera& camera)
 {
     const OverColour background{{kBackground, kBackground, kBackground}};
     for (const Place& place : places()) {
-        check_stripe(place, [&](const Stripe& stripe) {
-            return render<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe);
-        });
-        for (const int32_t span_px : {2, 8, 16}) {
+        for (const int32_t span_px : {0, 2, 8, 16})
             check_stripe(
                 place,
                 [&](const Stripe& stripe) {
-                    return render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe,
-                                                                                span_px);
+                    return draw_chord<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, background, stripe,
+                                                                              span_px);
                 });
-        }
     }
 }
 
@@ -102,49 +96,27 @@ void check_everywhere(const Field& field, const Camera& camera)
 
 TEST_CASE("no renderer writes beside its stripe, wherever the stripe lies", "[render][span]")
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 100;
-    layout.directions = 120;
-    layout.texel = TexelFormat::luma8;
-    const Bytes bytes =
-        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return kTexel; })});
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(layout_of(100, 120, TexelFormat::luma8), [](uint32_t, uint32_t) { return kTexel; });
     for (const double distance : {1.0, 1.2, 3.0}) {
-        Camera camera;
-        REQUIRE(make_camera(look_at({distance, 0.2, 0.1}, {0, 0, 0}, 15), {kSide, kSide, degrees(40)}, camera) ==
-                CameraError::none);
-        check_everywhere<Nearest>(field, camera);
-        check_everywhere<Linear>(field, camera);
+        const Camera camera = camera_of(look_at({distance, 0.2, 0.1}, {0, 0, 0}, 15), {kSide, kSide, degrees(40)});
+        check_everywhere<Nearest>(open.field, camera);
+        check_everywhere<Linear>(open.field, camera);
     }
 }
 
 TEST_CASE("images of one row or one column are drawn", "[render][span]")
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 100;
-    layout.directions = 120;
-    layout.texel = TexelFormat::luma8;
-    const Bytes bytes =
-        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return kTexel; })});
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(layout_of(100, 120, TexelFormat::luma8), [](uint32_t, uint32_t) { return kTexel; });
     const int32_t sizes[][2] = {{1, 1}, {1, 40}, {40, 1}, {1, kMaxImageSide}, {kMaxImageSide, 1}, {2, 1}};
     for (const auto& size : sizes) {
         for (const double fov : kFovs) {
             for (const double distance : kDistances) {
-                Camera camera;
-                REQUIRE(make_camera(look_at({distance, 0, 0}, {0, 0, 0}, 0), {size[0], size[1], degrees(fov)},
-                                    camera) == CameraError::none);
-                std::vector<uint8_t> exact(static_cast<size_t>(size[0]) * static_cast<size_t>(size[1]));
-                std::vector<uint8_t> spans(exact.size());
-                const uint32_t stride = static_cast<uint32_t>(size[0]);
-                REQUIRE(render<Nearest, TexelLuma8, PixelGrey8>(field, camera, OverBlack{},
-                                                                {exact.data(), 0, 0, size[0], size[1], stride}) ==
-                        RenderError::none);
-                REQUIRE(render_spans<Nearest, TexelLuma8, PixelGrey8>(field, camera, OverBlack{},
-                                                                      {spans.data(), 0, 0, size[0], size[1], stride},
-                                                                      16) == RenderError::none);
+                const Camera camera =
+                    camera_of(look_at({distance, 0, 0}, {0, 0, 0}, 0), {size[0], size[1], degrees(fov)});
+                const auto drawn = [&](int32_t span_px) {
+                    return drawn_frame<Nearest, TexelLuma8, PixelGrey8>(open.field, camera, OverBlack{}, span_px);
+                };
+                const Bytes exact = drawn(0), spans = drawn(16);
                 INFO(size[0] << " x " << size[1] << ", " << fov << " degrees, " << distance << " R");
                 size_t differ = 0;
                 for (size_t k = 0; k < exact.size(); ++k) differ += exact[k] != spans[k] ? 1u : 0u;

@@ -39,11 +39,7 @@ inline Bytes see_through_bytes()
 
 inline Bytes chord_bytes(TexelFormat texel)
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 128;
-    layout.directions = 256;
-    layout.texel = texel;
-    return sample_field(layout);
+    return sample_field(layout_of(128, 256, texel));
 }
 
 // The field has memory of its own, of the very size that lumi_memory_size tells.

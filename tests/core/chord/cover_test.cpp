@@ -4,9 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "field_bytes.h"
-#include "lumi/chord/render_spans.h"
-#include "views.h"
+#include "chord/drawing.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -63,12 +61,11 @@ namespace
 // The share of covered pixels that lie in tiles; every pixel is checked. Scanlines are drawn `height` at a time.
 double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
 {
-    std::vector<uint8_t> pixels(static_cast<size_t>(kSide) * kSide);
+    Bytes pixels;
     for (int32_t y = 0; y < kSide; y += height) {
-        const Stripe stripe = {
-            &pixels[static_cast<size_t>(y) * kSide], 0, y, kSide, std::min(height, kSide - y), kSide};
-        REQUIRE(render_spans<Marks, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe, 16) ==
-                RenderError::none);
+        const Bytes stripe = drawn_window<Marks, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, 16, 0, y, kSide,
+                                                                         std::min(height, kSide - y));
+        pixels.insert(pixels.end(), stripe.begin(), stripe.end());
     }
     int covered = 0;
     int in_tiles = 0;
@@ -94,22 +91,14 @@ double share_of_tiles(const Field& field, const Camera& camera, int32_t height)
 
 TEST_CASE("each pixel of the sphere is drawn once, most of them in tiles", "[span]")
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 300;
-    layout.directions = 700;
-    layout.texel = TexelFormat::luma8;
-    const Bytes bytes =
-        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(layout_of(300, 700, TexelFormat::luma8), [](uint32_t, uint32_t) { return uint8_t{1}; });
     for (const View& view : extreme_views(kSide)) {
         if (view.image.width_px != kSide || view.image.height_px != kSide) continue;
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const Camera camera = camera_of(view);
         INFO(view.name);
-        const double share = share_of_tiles(field, camera, 16);
-        CHECK(share == share_of_tiles(field, camera, kSide));
-        CHECK(share == share_of_tiles(field, camera, 5));
+        const double share = share_of_tiles(open.field, camera, 16);
+        CHECK(share == share_of_tiles(open.field, camera, kSide));
+        CHECK(share == share_of_tiles(open.field, camera, 5));
         if (view.name == "generic") CHECK(share > kLeastShare);
     }
 }

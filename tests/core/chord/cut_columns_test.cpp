@@ -5,9 +5,7 @@
 #include <initializer_list>
 #include <random>
 
-#include "field_bytes.h"
-#include "lumi/chord/render_spans.h"
-#include "views.h"
+#include "chord/drawing.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -89,16 +87,13 @@ struct Cuts {
     uint32_t count = 0, differ = 0;
 };
 
-// span_px = 0 draws exactly.
 template <class Reconstruction, class Texel, class Pixel, class Background>
 Cuts cut(const Field& field, const View& view, const Background& background, int32_t span_px)
 {
-    Camera camera;
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    const Camera camera = camera_of(view);
     const auto draw = [&](const Stripe& stripe) {
-        REQUIRE((span_px == 0 ? render<Reconstruction, Texel, Pixel>(field, camera, background, stripe)
-                              : render_spans<Reconstruction, Texel, Pixel>(field, camera, background, stripe,
-                                                                           span_px)) == RenderError::none);
+        REQUIRE(draw_chord<Reconstruction, Texel, Pixel>(field, camera, background, stripe, span_px) ==
+                RenderError::none);
     };
     const Bytes frame = Window{0, 0, view.image.width_px, view.image.height_px}.drawn(Pixel::kBytes, draw);
     Windows windows(view.image);
@@ -111,24 +106,14 @@ Cuts cut(const Field& field, const View& view, const Background& background, int
     return cuts;
 }
 
-Bytes field_of(uint32_t origins, uint32_t used, uint32_t directions, TexelFormat texel)
-{
-    TestLayout layout;
-    layout.origins = origins;
-    layout.used_origins = used;
-    layout.directions = directions;
-    layout.texel = texel;
-    return sample_field(layout);
-}
-
 template <class Reconstruction, class Texel, class Pixel, class Background>
-void check_cuts(const Bytes& bytes, const Background& background, std::initializer_list<int32_t> spans = {2, 4, 8, 16})
+void check_cuts(const TestLayout& layout, const Background& background,
+                std::initializer_list<int32_t> spans = {2, 4, 8, 16})
 {
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(sample_field(layout));
     for (const int32_t span_px : spans) {
         for (const View& view : extreme_views(kSide)) {
-            const Cuts cuts = cut<Reconstruction, Texel, Pixel>(field, view, background, span_px);
+            const Cuts cuts = cut<Reconstruction, Texel, Pixel>(open.field, view, background, span_px);
             INFO(view.name << ", spans of " << span_px << ", " << cuts.count << " cuts");
             CHECK(cuts.differ == 0);
         }
@@ -139,8 +124,8 @@ void check_cuts(const Bytes& bytes, const Background& background, std::initializ
 
 TEST_CASE("spans cut into rectangles of any shape show the pixels of the whole frame", "[span]")
 {
-    const Bytes plain = field_of(300, 300, 700, TexelFormat::rgb565);
-    const Bytes capped = field_of(400, 210, 350, TexelFormat::palette8);
+    const TestLayout plain = layout_of(300, 700, TexelFormat::rgb565);
+    const TestLayout capped = layout_of(400, 350, TexelFormat::palette8, 210);
     check_cuts<Linear, TexelRgb565, PixelRgb565>(plain, OverBlack{});
     check_cuts<Linear, TexelPalette8, PixelRgb888>(capped, OverStripe{});
     check_cuts<Nearest, TexelRgb565, PixelRgb565>(plain, OverColour{{9, 8, 7}});
@@ -151,5 +136,5 @@ TEST_CASE("spans cut into rectangles of any shape show the pixels of the whole f
 
 TEST_CASE("exactly drawn frames cut into rectangles of any shape show the pixels of the whole frame", "[render]")
 {
-    check_cuts<Nearest, TexelRgb565, PixelRgb565>(field_of(100, 70, 120, TexelFormat::rgb565), OverBlack{}, {0});
+    check_cuts<Nearest, TexelRgb565, PixelRgb565>(layout_of(100, 120, TexelFormat::rgb565, 70), OverBlack{}, {0});
 }

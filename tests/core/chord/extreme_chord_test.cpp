@@ -36,27 +36,16 @@ void draw_chord(const Field& field, const Camera& camera, const Stripe& stripe, 
 // From the smallest lattices that spans take to the largest, some with a cap.
 std::vector<Bytes> chord_fields()
 {
-    struct Size {
-        uint32_t origins, used, directions;
-        TexelFormat texel;
-    };
-    const Size sizes[] = {{64, 64, 64, TexelFormat::rgb565},
-                          {400, 210, 700, TexelFormat::palette8},
-                          {1000, 1, 64, TexelFormat::rgb888},
+    const TestLayout layouts[] = {layout_of(64, 64, TexelFormat::rgb565),
+                                  layout_of(400, 700, TexelFormat::palette8, 210),
+                                  layout_of(1000, 64, TexelFormat::rgb888, 1),
 #ifndef LUMI_TEST_LIGHT
-                          {64, 64, kMaxSpanLattice, TexelFormat::luma8},
-                          {kMaxSpanLattice, kMaxSpanLattice / 2, 64, TexelFormat::palette8},
+                                  layout_of(64, kMaxSpanLattice, TexelFormat::luma8),
+                                  layout_of(kMaxSpanLattice, 64, TexelFormat::palette8, kMaxSpanLattice / 2),
 #endif
-                          {233, 233, 144, TexelFormat::luma8}};
+                                  layout_of(233, 144, TexelFormat::luma8)};
     std::vector<Bytes> fields;
-    for (const Size& size : sizes) {
-        TestLayout layout;
-        layout.origins = size.origins;
-        layout.used_origins = size.used;
-        layout.directions = size.directions;
-        layout.texel = size.texel;
-        fields.push_back(sample_field(layout));
-    }
+    for (const TestLayout& layout : layouts) fields.push_back(sample_field(layout));
     return fields;
 }
 

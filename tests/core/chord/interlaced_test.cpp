@@ -3,10 +3,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "field_bytes.h"
+#include "chord/drawing.h"
 #include "lumi/chord/detail/stepping/outline.h"
-#include "lumi/chord/render_spans.h"
-#include "views.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -36,33 +34,20 @@ std::vector<uint8_t> woven_frame(const Camera& camera, Draw draw)
 TEST_CASE("two interlaced halves make the frame", "[camera]")
 {
     constexpr int32_t kSide = 33;  // odd: the first half has a scanline more
-    TestLayout layout;
-    layout.origins = 100;
-    layout.used_origins = 100;
-    layout.directions = 130;
-    layout.texel = TexelFormat::luma8;
-    const Bytes bytes = file_of({layout_section(layout), texel_section(layout, [](uint32_t i, uint32_t k) {
-                                     return static_cast<uint8_t>(1 + (i * 37 + k * 11) % 255);
-                                 })});
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(layout_of(100, 130, TexelFormat::luma8),
+                         [](uint32_t i, uint32_t k) { return static_cast<uint8_t>(1 + (i * 37 + k * 11) % 255); });
     for (const View& view : extreme_views(kSide)) {
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-        const uint32_t stride = static_cast<uint32_t>(camera.width_px());
-        std::vector<uint8_t> whole(stride * static_cast<uint32_t>(camera.height_px()));
-        const Stripe stripe = {whole.data(), 0, 0, camera.width_px(), camera.height_px(), stride};
-        REQUIRE(render<Linear, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe) == RenderError::none);
+        const Camera camera = camera_of(view);
+        const Bytes whole = drawn_frame<Linear, TexelLuma8, PixelGrey8>(open.field, camera, OverBlack{}, 0);
         INFO(view.name);
-        const auto exact = [&](const Camera& half, const Stripe& scanlines) {
-            return render<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, scanlines);
+        const auto draw_by = [&](int32_t span_px) {
+            return [&, span_px](const Camera& half, const Stripe& scanlines) {
+                return draw_chord<Linear, TexelLuma8, PixelGrey8>(open.field, half, OverBlack{}, scanlines, span_px);
+            };
         };
-        CHECK(whole == woven_frame(camera, exact));
+        CHECK(whole == woven_frame(camera, draw_by(0)));
         // By spans a half covers what the frame covers, but for the outline's rounding.
-        const auto spans = [&](const Camera& half, const Stripe& scanlines) {
-            return render_spans<Linear, TexelLuma8, PixelGrey8>(field, half, OverBlack{}, scanlines, 16);
-        };
-        const std::vector<uint8_t> woven = woven_frame(camera, spans);
+        const Bytes woven = woven_frame(camera, draw_by(16));
         uint32_t differ = 0;
         for (size_t k = 0; k < whole.size(); ++k) differ += (whole[k] == 0) != (woven[k] == 0) ? 1u : 0u;
         CHECK(differ <= 4);
@@ -72,8 +57,7 @@ TEST_CASE("two interlaced halves make the frame", "[camera]")
 TEST_CASE("the outline of an interlaced half is that of its scanlines", "[camera]")
 {
     for (const View& view : extreme_views(33)) {
-        Camera camera;
-        REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+        const Camera camera = camera_of(view);
         for (const int32_t parity : {0, 1}) {
             const Camera half = interlaced_half(camera, parity);
             OutlineTracker outline(half, {0, half.width_px()});

@@ -5,10 +5,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "chord/drawing.h"
 #include "edges.h"
-#include "field_bytes.h"
-#include "lumi/chord/render_spans.h"
-#include "twin.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -30,32 +28,22 @@ const double kDistances[] = {1, 1.0001, 1.01, 1.3, 3, 40, 1000, 2046.99};
 const double kFields[] = {1, 2, 45, 120};
 
 // Smooth over the sphere, so that a picture tells how far hits are off: luma of the ray's ends.
-Bytes smooth_luma(uint32_t origins, uint32_t directions)
+OpenField smooth_luma(uint32_t origins, uint32_t directions)
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = origins;
-    layout.directions = directions;
-    layout.texel = TexelFormat::luma8;
+    const TestLayout layout = layout_of(origins, directions, TexelFormat::luma8);
     const std::vector<Vec3> o = twin::points(origins);
     const std::vector<Vec3> d = twin::points(directions);
-    return file_of({layout_section(layout), texel_section(layout, [&](uint32_t i, uint32_t k) {
-                        const Vec3& to = d[std::min(k, directions - 1)];
-                        return static_cast<uint8_t>(128 + 60 * std::sin(2 * o[i].x + o[i].z) +
-                                                    60 * std::cos(2 * to.y - to.z));
-                    })});
+    return OpenField(layout, [&](uint32_t i, uint32_t k) {
+        const Vec3& to = d[std::min(k, directions - 1)];
+        return static_cast<uint8_t>(128 + 60 * std::sin(2 * o[i].x + o[i].z) + 60 * std::cos(2 * to.y - to.z));
+    });
 }
 
 template <class Reconstruction>
 std::vector<uint8_t> drawn(const Field& field, const Edge& edge, int32_t span_px)
 {
-    Camera camera;
-    REQUIRE(make_camera(edge.pose, edge.image, camera) == CameraError::none);
-    std::vector<uint8_t> pixels(static_cast<size_t>(edge.width * edge.height));
-    const Stripe stripe = {pixels.data(), edge.x, edge.y, edge.width, edge.height, static_cast<uint32_t>(edge.width)};
-    REQUIRE((span_px == 0 ? render<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe)
-                          : render_spans<Reconstruction, TexelLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe,
-                                                                                 span_px)) == RenderError::none);
-    return pixels;
+    return drawn_window<Reconstruction, TexelLuma8, PixelGrey8>(field, camera_of(edge.pose, edge.image), OverBlack{},
+                                                                span_px, edge.x, edge.y, edge.width, edge.height);
 }
 
 struct WorstPicture {
@@ -88,9 +76,8 @@ struct WorstPicture {
 
 TEST_CASE("spans hold at every edge of the camera's range", "[span]")
 {
-    const Bytes bytes = smooth_luma(400, 700);
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open = smooth_luma(400, 700);
+    const Field& field = open.field;
     Edges edges(5, kManyWindows);
     for (const int32_t span_px : {2, 8, 16}) {
         WorstPicture worst;
@@ -124,9 +111,8 @@ TEST_CASE("spans hold for lattices of the smallest and the largest size that the
 #endif
     Edges edges(9, kWindow);
     for (const auto& size : sizes) {
-        const Bytes bytes = smooth_luma(size[0], size[1]);
-        Field field;
-        REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+        const OpenField open = smooth_luma(size[0], size[1]);
+        const Field& field = open.field;
         WorstPicture worst;
         for (const double distance : kDistances) {
             for (const double fov : {2.0, 120.0}) {

@@ -3,9 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "field_bytes.h"
-#include "lumi/chord/render_spans.h"
-#include "views.h"
+#include "chord/drawing.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -21,6 +19,8 @@ constexpr int32_t kSide = 24;
 constexpr uint32_t kRandomViews = 60;
 constexpr int32_t kSide = 72;
 #endif
+
+const auto kOne = [](uint32_t, uint32_t) { return uint8_t{1}; };
 
 uint32_t reads = 0;
 uint32_t strays = 0;
@@ -81,15 +81,7 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
                                  {1024, 500, 2048}, {64, 64, 65536}, {6000, 5990, 100}};
 #endif
     for (const auto& size : sizes) {
-        TestLayout layout;
-        layout.origins = size[0];
-        layout.used_origins = size[1];
-        layout.directions = size[2];
-        layout.texel = TexelFormat::luma8;
-        const Bytes bytes =
-            file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
-        Field field;
-        REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+        const OpenField open(layout_of(size[0], size[2], TexelFormat::luma8, size[1]), kOne);
         std::vector<View> views = extreme_views(kSide);
         std::minstd_rand random(size[2]);
         for (uint32_t k = 0; k < kRandomViews; ++k) views.push_back(random_view(random, kSide));
@@ -100,18 +92,11 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
         for (const View& view : views) {
             Camera camera;
             if (make_camera(view.pose, view.image, camera) != CameraError::none) continue;
-            std::vector<uint8_t> pixels(static_cast<size_t>(view.image.width_px * view.image.height_px));
-            const Stripe stripe = {pixels.data(),
-                                   0,
-                                   0,
-                                   view.image.width_px,
-                                   view.image.height_px,
-                                   static_cast<uint32_t>(view.image.width_px)};
             const OverColour grey{{1, 1, 1}};
             for (const int32_t span_px : {2, 8, 16}) {
                 strays = 0;
-                (void)render_spans<Linear, CheckedLuma8, PixelGrey8>(field, camera, grey, stripe, span_px);
-                (void)render_spans<Nearest, CheckedLuma8, PixelGrey8>(field, camera, grey, stripe, span_px);
+                (void)drawn_frame<Linear, CheckedLuma8, PixelGrey8>(open.field, camera, grey, span_px);
+                (void)drawn_frame<Nearest, CheckedLuma8, PixelGrey8>(open.field, camera, grey, span_px);
                 INFO(view.name << ", spans of " << span_px << ", " << size[0] << " x " << size[2]);
                 REQUIRE(strays == 0);
             }
@@ -123,24 +108,15 @@ TEST_CASE("spans and tiles read only texels that the field has", "[span]")
 TEST_CASE("a zone that crosses the equator reads nothing beyond the other pole", "[span]")
 {
     // Found by random search: a span of an acute zone whose cells are flipped where it ends.
-    TestLayout layout;
-    layout.origins = layout.used_origins = layout.directions = 75;
-    layout.texel = TexelFormat::luma8;
+    TestLayout layout = layout_of(75, 75, TexelFormat::luma8);
     layout.row_stride = 80;
-    const Bytes bytes =
-        file_of({layout_section(layout), texel_section(layout, [](uint32_t, uint32_t) { return uint8_t{1}; })});
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
+    const OpenField open(layout, kOne);
     const Pose pose = {{-933275, -159750, 484389},
                        {-509756008, 147859956, -933384980},
                        {72855990, -1051212415, -206314655},
                        {942211277, 161279774, -489027624}};
-    constexpr int32_t kWidth = 141, kHeight = 34;
-    Camera camera;
-    REQUIRE(make_camera(pose, {kWidth, kHeight, 1392898754}, camera) == CameraError::none);
-    std::vector<uint8_t> pixels(static_cast<size_t>(kWidth) * kHeight);
-    const Stripe stripe = {pixels.data(), 0, 0, kWidth, kHeight, kWidth};
     strays = 0;
-    (void)render_spans<Linear, CheckedLuma8, PixelGrey8>(field, camera, OverBlack{}, stripe, 16);
+    (void)drawn_frame<Linear, CheckedLuma8, PixelGrey8>(open.field, camera_of(pose, {141, 34, 1392898754}), OverBlack{},
+                                                        16);
     CHECK(strays == 0);
 }

@@ -5,10 +5,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "field_bytes.h"
+#include "chord/drawing.h"
 #include "report.h"
-#include "twin.h"
-#include "views.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -36,11 +34,7 @@ uint8_t shade(const Vec3& from, const Vec3& to, uint32_t c)
 // A field of it, so that a picture tells how far its taps are off.
 Bytes smooth_field(uint32_t origins, uint32_t used, uint32_t directions, TexelFormat texel)
 {
-    TestLayout layout;
-    layout.origins = origins;
-    layout.used_origins = used;
-    layout.directions = directions;
-    layout.texel = texel;
+    const TestLayout layout = layout_of(origins, directions, texel, used);
     const uint32_t bytes = format::bytes_per_texel(texel);
     const std::vector<Vec3> o = twin::points(origins);
     const std::vector<Vec3> d = twin::points(directions);
@@ -56,38 +50,21 @@ Bytes smooth_field(uint32_t origins, uint32_t used, uint32_t directions, TexelFo
     return file_of(sections);
 }
 
-Field opened(const Bytes& bytes)
-{
-    Field field;
-    REQUIRE(open_field(bytes.data(), bytes.size(), field) == FieldError::none);
-    return field;
-}
-
 // span_px = 0 draws exactly.
 template <class Reconstruction, class Texel, class Background>
-std::vector<uint8_t> draw(const Field& field, const View& view, const Background& background, int32_t span_px)
+Bytes draw(const Field& field, const View& view, const Background& background, int32_t span_px)
 {
-    Camera camera;
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
-    const uint32_t width = static_cast<uint32_t>(view.image.width_px);
-    std::vector<uint8_t> pixels(width * static_cast<uint32_t>(view.image.height_px) * 3, 77);
-    const Stripe stripe = {pixels.data(), 0, 0, view.image.width_px, view.image.height_px, width * 3};
-    REQUIRE((span_px == 0 ? render<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe)
-                          : render_spans<Reconstruction, Texel, PixelRgb888>(field, camera, background, stripe,
-                                                                             span_px)) == RenderError::none);
-    return pixels;
+    return drawn_frame<Reconstruction, Texel, PixelRgb888>(field, camera_of(view), background, span_px, 77);
 }
 
 // A field that spans cannot draw: an error, and no pixel is touched.
 template <class Texel>
 void check_refused(const Field& field, const View& view)
 {
-    Camera camera;
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
     std::vector<uint8_t> pixels(static_cast<size_t>(view.image.width_px * view.image.height_px), 77);
     const Stripe stripe = {
         pixels.data(), 0, 0, view.image.width_px, view.image.height_px, static_cast<uint32_t>(view.image.width_px)};
-    CHECK(render_spans<Linear, Texel, PixelGrey8>(field, camera, OverBlack{}, stripe, 8) ==
+    CHECK(render_spans<Linear, Texel, PixelGrey8>(field, camera_of(view), OverBlack{}, stripe, 8) ==
           RenderError::unfit_for_spans);
     CHECK(std::count(pixels.begin(), pixels.end(), 77) == static_cast<ptrdiff_t>(pixels.size()));
 }
@@ -113,8 +90,8 @@ Difference difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>&
 
 TEST_CASE("spans draw the exact linear picture at every extreme", "[span]")
 {
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
-    const Field field = opened(bytes);
+    const OpenField open(smooth_field(300, 300, 700, TexelFormat::rgb888));
+    const Field& field = open.field;
     const int32_t span_px = GENERATE(2, 4, 8, 16);
     for (const View& view : extreme_views(kSide)) {
         const auto exact = draw<Linear, TexelRgb888>(field, view, OverColour{{20, 20, 20}}, 0);
@@ -139,8 +116,8 @@ TEST_CASE("cells that cross the equator keep the diagonals of the exact renderer
     const std::vector<uint32_t> sizes = {300, 400, 700, 1024};
 #endif
     for (const uint32_t n : sizes) {
-        const Bytes bytes = smooth_field(n, n, n, TexelFormat::luma8);
-        const Field field = opened(bytes);
+        const OpenField open(smooth_field(n, n, n, TexelFormat::luma8));
+        const Field& field = open.field;
         const auto exact = draw<Linear, TexelLuma8>(field, view, OverBlack{}, 0);
         INFO(n);
         CHECK(difference(exact, draw<Linear, TexelLuma8>(field, view, OverBlack{}, 2)).psnr_db() > 52);
@@ -149,8 +126,8 @@ TEST_CASE("cells that cross the equator keep the diagonals of the exact renderer
 
 TEST_CASE("shorter spans come closer to the exact picture", "[span]")
 {
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
-    const Field field = opened(bytes);
+    const OpenField open(smooth_field(300, 300, 700, TexelFormat::rgb888));
+    const Field& field = open.field;
     double before = 0;
     for (const int32_t span_px : {16, 8, 4, 2}) {
         double sum = 0;
@@ -167,8 +144,8 @@ TEST_CASE("shorter spans come closer to the exact picture", "[span]")
 
 TEST_CASE("spans of 8 hold for hundreds of random views", "[span]")
 {
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::rgb888);
-    const Field field = opened(bytes);
+    const OpenField open(smooth_field(300, 300, 700, TexelFormat::rgb888));
+    const Field& field = open.field;
     std::minstd_rand random(11);
     Worst linear;
     for (uint32_t k = 0; k < kRandomViews; ++k) {
@@ -187,11 +164,9 @@ TEST_CASE("spans of 8 hold for hundreds of random views", "[span]")
 
 TEST_CASE("a field of another texel format is refused by every renderer, and no pixel is touched")
 {
-    const Bytes bytes = smooth_field(300, 300, 700, TexelFormat::luma8);
-    const Field field = opened(bytes);
-    Camera camera;
-    const View view = extreme_views(16)[0];
-    REQUIRE(make_camera(view.pose, view.image, camera) == CameraError::none);
+    const OpenField open(smooth_field(300, 300, 700, TexelFormat::luma8));
+    const Field& field = open.field;
+    const Camera camera = camera_of(extreme_views(16)[0]);
     std::vector<uint8_t> pixels(16 * 16, 77);
     const Stripe stripe = {pixels.data(), 0, 0, 16, 16, 16};
     CHECK(render_spans<Linear, TexelPalette8, PixelGrey8>(field, camera, OverBlack{}, stripe, 8) ==
@@ -208,10 +183,7 @@ namespace
 template <class Texel>
 Bytes field_with_a_hole()
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 300;
-    layout.directions = 700;
-    layout.texel = Texel::kFormat;
+    const TestLayout layout = layout_of(300, 700, Texel::kFormat);
     const uint32_t bytes = format::bytes_per_texel(layout.texel);
     const std::vector<Vec3> d = twin::points(layout.directions);
     const auto value = [&](uint32_t, uint32_t k) {
@@ -236,8 +208,8 @@ struct Alike {
 template <class Texel, class Reconstruction>
 void check_hole(const Alike& alike)
 {
-    const Bytes bytes = field_with_a_hole<Texel>();
-    const Field field = opened(bytes);
+    const OpenField open(field_with_a_hole<Texel>());
+    const Field& field = open.field;
     for (const double up : {-0.8, 0.3, 0.9}) {  // from below, the side and above
         const View view = {"hole", look_at({1.8, 1.1, 2 * up}, {0, 0, 0}, 10), {kSide, kSide, degrees(50)}};
         const auto exact = draw<Reconstruction, Texel>(field, view, OverColour{kGreen}, 0);
@@ -277,7 +249,8 @@ TEST_CASE("every texel format is drawn on spans like the exact renderer draws it
     const OverColour grey{{90, 100, 110}};
     const auto check = [&](auto texel, const Bytes& bytes) {
         using Texel = decltype(texel);
-        const Field field = opened(bytes);
+        const OpenField open(bytes);
+        const Field& field = open.field;
         const Difference d =
             difference(draw<Linear, Texel>(field, view, grey, 0), draw<Linear, Texel>(field, view, grey, 4));
         CHECK(d.psnr_db() > 40);
@@ -293,8 +266,8 @@ TEST_CASE("every texel format is drawn on spans like the exact renderer draws it
 
 TEST_CASE("over black and over a black colour spans draw the same", "[span]")
 {
-    const Bytes bytes = smooth_field(200, 200, 300, TexelFormat::rgb888);
-    const Field field = opened(bytes);
+    const OpenField open(smooth_field(200, 200, 300, TexelFormat::rgb888));
+    const Field& field = open.field;
     const View view = extreme_views(kSide)[0];
     const auto a = draw<Linear, TexelRgb888>(field, view, OverBlack{}, 8);
     CHECK(difference(a, draw<Linear, TexelRgb888>(field, view, OverColour{{0, 0, 0}}, 8)).worst.error <= 1);
@@ -322,8 +295,8 @@ TEST_CASE("lattices of every size are drawn, the small and the huge ones are ref
     const View view = extreme_views(kSide / 2)[0];
     const uint32_t sizes[] = {1, 2, 63, 64, 65, 89, 144, 1000, 10000};
     for (const uint32_t n : sizes) {
-        const Bytes bytes = smooth_field(n, std::min<uint32_t>(n, 100), 70, TexelFormat::luma8);
-        const Field field = opened(bytes);
+        const OpenField open(smooth_field(n, std::min<uint32_t>(n, 100), 70, TexelFormat::luma8));
+        const Field& field = open.field;
         INFO(n);
         REQUIRE(fits_spans(field) == (n >= kMinSpanLattice));
         if (fits_spans(field)) {

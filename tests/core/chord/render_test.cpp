@@ -153,11 +153,7 @@ const std::vector<std::pair<uint32_t, uint32_t>> kSmallLattices = {
 template <class Twin>
 void check_against_twin()
 {
-    TestLayout layout;
-    layout.origins = 150;
-    layout.used_origins = 150;
-    layout.directions = 260;
-    const Scene scene(layout);
+    const Scene scene(layout_of(150, 260, TexelFormat::rgb888));
     for (const View& view : extreme_views(kSide)) {
         const Errors errors = compare<Twin>(scene, view);
         errors.worst.report((std::string(Twin::kName) + ", " + view.name + ", levels; mean " +
@@ -189,12 +185,9 @@ TEST_CASE("the paper's kernel agrees with the double-precision renderer at every
 TEST_CASE("lattices of 1, 2 and 3 points are drawn like the twin", "[render]")
 {
     for (const auto& [origins, directions] : kSmallLattices) {
-        TestLayout layout;
-        layout.origins = layout.used_origins = origins;
-        layout.directions = directions;
-        const Scene scene(layout);
+        const Scene scene(layout_of(origins, directions, TexelFormat::rgb888));
         for (const View& view : extreme_views(7)) {
-            INFO(view.name << " M " << layout.origins << " N " << layout.directions);
+            INFO(view.name << " M " << origins << " N " << directions);
             CHECK(compare<NearestTwin>(scene, view).worst.error < 3.0);
             CHECK(compare<LinearTwin>(scene, view).worst.error < 3.0);
             CHECK(compare<PaperTwin<9>>(scene, view).worst.error < 3.0);
@@ -204,11 +197,7 @@ TEST_CASE("lattices of 1, 2 and 3 points are drawn like the twin", "[render]")
 
 TEST_CASE("origins outside the cap are transparent", "[render]")
 {
-    TestLayout layout;
-    layout.origins = 100;
-    layout.directions = 120;
-    layout.used_origins = 50;
-    const Scene scene(layout);
+    const Scene scene(layout_of(100, 120, TexelFormat::rgb888, 50));
     for (const View& view : extreme_views(kCapSide)) {
         INFO(view.name);
         CHECK(compare<LinearTwin>(scene, view).worst.error < 3.0);
@@ -217,11 +206,7 @@ TEST_CASE("origins outside the cap are transparent", "[render]")
 
 TEST_CASE("over the stripe's own content only the object is drawn", "[render]")
 {
-    TestLayout layout;
-    layout.origins = 70;
-    layout.used_origins = 70;
-    layout.directions = 70;
-    const Scene scene(layout);
+    const Scene scene(layout_of(70, 70, TexelFormat::rgb888));
     Camera camera;
     REQUIRE(make_camera(look_at({3, 1, 0.5}, {0, 0, 0}), {24, 24, degrees(60)}, camera) == CameraError::none);
     std::vector<uint8_t> over_colour(24 * 24 * 3);

@@ -50,10 +50,7 @@ uint32_t crc_of_frames(uint32_t frames, Draw draw)
 template <class Texel>
 Bytes chord_bytes()
 {
-    TestLayout layout;
-    layout.origins = layout.used_origins = 150;
-    layout.directions = 400;
-    layout.texel = Texel::kFormat;
+    const TestLayout layout = layout_of(150, 400, Texel::kFormat);
     constexpr uint32_t kBytes = format::bytes_per_texel(Texel::kFormat);
     const auto value = [](uint32_t i, uint32_t k) {  // with holes
         return static_cast<uint8_t>(k / kBytes % 5 < 2 ? 0 : scattered(i * 5000 + k));

@@ -34,11 +34,7 @@ Bytes ball()
 
 Bytes chord(TexelFormat texel)
 {
-    test::TestLayout layout;
-    layout.origins = layout.used_origins = 128;
-    layout.directions = 256;
-    layout.texel = texel;
-    return test::sample_field(layout);
+    return test::sample_field(test::layout_of(128, 256, texel));
 }
 
 // A frame by stripes of so many rows, with draw(stripe).
@@ -383,8 +379,7 @@ TEST_CASE("a stripe of every width has as many rows as pixels and memory allow")
             REQUIRE(rows * width * 2 <= static_cast<int32_t>(sizeof pixels));
             CHECK(view.draw({pixels, kWidth - width, 0, width, rows, stride}) == ViewError::none);
             const bool is_most = rows == kHeight || (rows + 1) * width * 2 > static_cast<int32_t>(sizeof pixels);
-            if (!is_most)
-                CHECK(view.draw({pixels, 0, 0, width, rows + 1, stride}) == ViewError::stripe_too_large);
+            if (!is_most) CHECK(view.draw({pixels, 0, 0, width, rows + 1, stride}) == ViewError::stripe_too_large);
         }
     }
 }
