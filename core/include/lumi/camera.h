@@ -50,6 +50,12 @@ struct Image {
 // which make_camera refuses.
 Pose moved_right(const Pose& pose, int32_t offset_q20);
 
+// Turns the picture clockwise, for displays that are mounted askew or upside down: after a quarter turn, what was up is
+// at the right. Quarter turns are exact, and no turn changes no bit; others round each number to 2^-30.
+//
+//     view.look(rolled(pose_of(orbit), degrees(90)), view.fov_of(orbit));
+Pose rolled(const Pose& pose, uint32_t roll_turns32);
+
 }  // namespace lumi
 
 namespace lumi::detail

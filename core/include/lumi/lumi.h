@@ -130,6 +130,8 @@ lumi_pose lumi_pose_of(lumi_orbit orbit);
 lumi_pose lumi_held_pose(lumi_quaternion turn, int32_t distance_q20);
 /* Returns a pose beside another, to its right: stereo. */
 lumi_pose lumi_moved_right(lumi_pose pose, int32_t offset_q20);
+/* Turns the picture clockwise, for a display that is mounted askew: what was up is at the right after a quarter turn. */
+lumi_pose lumi_rolled(lumi_pose pose, uint32_t roll_turns32);
 
 /* A rectangle of the image; nothing where a side is 0. */
 typedef struct {
@@ -215,6 +217,9 @@ void lumi_pack_grey4(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
 void lumi_pack_mono1(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
 /* Packs pages of an OLED: eight rows a byte. */
 void lumi_pack_pages(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes);
+/* Dithers stripes of PixelRgb888 to the two bytes a pixel of PixelRgb565, and of PixelRgb565Swapped. */
+void lumi_dither_rgb565(lumi_stripe rgb, uint8_t* out, uint32_t out_stride_bytes);
+void lumi_dither_rgb565_swapped(lumi_stripe rgb, uint8_t* out, uint32_t out_stride_bytes);
 
 /* Returns one short English phrase. */
 const char* lumi_error_text(lumi_error error);

@@ -49,6 +49,21 @@ lumi_pose lumi_moved_right(lumi_pose pose, int32_t offset_q20)
     return in_c(lumi::moved_right(in_cpp(pose), offset_q20));
 }
 
+lumi_pose lumi_rolled(lumi_pose pose, uint32_t roll_turns32)
+{
+    return in_c(lumi::rolled(in_cpp(pose), roll_turns32));
+}
+
+void lumi_dither_rgb565(lumi_stripe rgb, uint8_t* out, uint32_t out_stride_bytes)
+{
+    lumi::dither_rgb565(in_cpp(rgb), out, out_stride_bytes);
+}
+
+void lumi_dither_rgb565_swapped(lumi_stripe rgb, uint8_t* out, uint32_t out_stride_bytes)
+{
+    lumi::dither_rgb565_swapped(in_cpp(rgb), out, out_stride_bytes);
+}
+
 void lumi_pack_grey4(lumi_stripe grey, uint8_t* out, uint32_t out_stride_bytes)
 {
     lumi::pack_grey4(in_cpp(grey), out, out_stride_bytes);

@@ -86,6 +86,21 @@ Pose moved_right(const Pose& pose, int32_t offset_q20)
     return result;
 }
 
+Pose rolled(const Pose& pose, uint32_t roll_turns32)
+{
+    const SinCos roll = sin_cos(roll_turns32);
+    const auto turned = [](const Vec3q30& a, int32_t share_a, const Vec3q30& b, int32_t share_b) {
+        const auto sum = [&](int32_t p, int32_t q) {
+            return q60_to_q30(wide_product(p, share_a) + wide_product(q, share_b));
+        };
+        return Vec3q30{sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)};
+    };
+    Pose result = pose;
+    result.right = turned(pose.right, roll.cos_q30, pose.up, roll.sin_q30);
+    result.up = turned(pose.up, roll.cos_q30, pose.right, -roll.sin_q30);
+    return result;
+}
+
 CameraError detail::check_view(const Pose& pose, const Image& image)
 {
     if (const CameraError error = check_eye(pose.eye); error != CameraError::none) return error;

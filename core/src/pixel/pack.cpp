@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/pack.h"
 
+#include "lumi/pixel.h"
+
 namespace lumi
 {
 namespace
@@ -38,23 +40,24 @@ const uint8_t* row_of(const Stripe& grey, int32_t row)
     return grey.pixels + static_cast<size_t>(row) * grey.stride_bytes;
 }
 
-// 0 .. 15, between which the dither chooses.
-uint32_t level16(uint8_t value, uint8_t threshold)
+// 0 .. kMost, between which the dither chooses.
+template <uint32_t kMost>
+uint32_t level(uint8_t value, uint8_t threshold)
 {
-    const uint32_t sum = 15u * value + threshold;
+    const uint32_t sum = kMost * value + threshold;
     return (sum + 1 + (sum >> 8)) >> 8;  // sum / 255
 }
 
-// Packs rows of pixels of kBits each, level(value, threshold).
-template <uint32_t kBits, class Level>
-void pack_rows(const Stripe& grey, uint8_t* out, uint32_t out_stride_bytes, Level level)
+// Packs rows of pixels of kBits each, level_of(value, threshold).
+template <uint32_t kBits, class LevelOf>
+void pack_rows(const Stripe& grey, uint8_t* out, uint32_t out_stride_bytes, LevelOf level_of)
 {
     for (int32_t row = 0; row < grey.height_px; ++row, out += out_stride_bytes) {
         const uint8_t* const pixels = row_of(grey, row);
         const uint8_t(&thresholds)[kSide] = thresholds_of(grey.y_px + row);
         uint32_t byte = 0, bits = 0, at = 0;
         for (int32_t x = 0; x < grey.width_px; ++x) {
-            byte = byte << kBits | level(pixels[x], thresholds[static_cast<uint32_t>(grey.x_px + x) % kSide]);
+            byte = byte << kBits | level_of(pixels[x], thresholds[static_cast<uint32_t>(grey.x_px + x) % kSide]);
             bits += kBits;
             if (bits == 8 || x + 1 == grey.width_px) {
                 out[at++] = static_cast<uint8_t>(byte << (8 - bits));
@@ -69,11 +72,36 @@ uint32_t is_light(uint8_t value, uint8_t threshold)
     return value > threshold ? 1 : 0;
 }
 
+template <class Pixel>
+void dither(const Stripe& rgb, uint8_t* out, uint32_t out_stride_bytes)
+{
+    for (int32_t row = 0; row < rgb.height_px; ++row, out += out_stride_bytes) {
+        const uint8_t* from = row_of(rgb, row);
+        const uint8_t(&thresholds)[kSide] = thresholds_of(rgb.y_px + row);
+        for (int32_t x = 0; x < rgb.width_px; ++x, from += PixelRgb888::kBytes) {
+            const uint8_t threshold = thresholds[static_cast<uint32_t>(rgb.x_px + x) % kSide];
+            const uint32_t packed = level<31>(from[0], threshold) << 11 | level<63>(from[1], threshold) << 5 |
+                                    level<31>(from[2], threshold);
+            Pixel::store_packed(out + Pixel::kBytes * static_cast<uint32_t>(x), static_cast<uint16_t>(packed));
+        }
+    }
+}
+
 }  // namespace
+
+void dither_rgb565(const Stripe& rgb, uint8_t* out, uint32_t out_stride_bytes)
+{
+    dither<PixelRgb565>(rgb, out, out_stride_bytes);
+}
+
+void dither_rgb565_swapped(const Stripe& rgb, uint8_t* out, uint32_t out_stride_bytes)
+{
+    dither<PixelRgb565Swapped>(rgb, out, out_stride_bytes);
+}
 
 void pack_grey4(const Stripe& grey, uint8_t* out, uint32_t out_stride_bytes)
 {
-    pack_rows<4>(grey, out, out_stride_bytes, level16);
+    pack_rows<4>(grey, out, out_stride_bytes, level<15>);
 }
 
 void pack_mono1(const Stripe& grey, uint8_t* out, uint32_t out_stride_bytes)

@@ -35,8 +35,10 @@ int32_t q20_from_radii(double radii)
 
 Pose make_pose(const Orbit& orbit)
 {
-    return lumi::detail::orbit(turns32_from_degrees(orbit.azimuth_deg),
-                               signed_turns32_from_degrees(orbit.elevation_deg), q20_from_radii(orbit.distance));
+    const Pose upright =
+        lumi::detail::orbit(turns32_from_degrees(orbit.azimuth_deg), signed_turns32_from_degrees(orbit.elevation_deg),
+                            q20_from_radii(orbit.distance));
+    return rolled(upright, turns32_from_degrees(orbit.roll_deg));
 }
 
 Image make_image(int32_t width_px, int32_t height_px, double fov_deg)

@@ -9,6 +9,7 @@ lumi_error look_in_c(lumi_view* view, const frame_in_c* frame)
     if (frame->eye == EYE_OF_MODE) return lumi_look_mode(view, frame->orbit, frame->mode);
     if (frame->eye == EYE_HELD) pose = lumi_held_pose(frame->turn, frame->orbit.distance_q20);
     if (frame->eye == EYE_TO_THE_RIGHT) pose = lumi_moved_right(pose, frame->offset_q20);
+    if (frame->eye == EYE_ROLLED) pose = lumi_rolled(pose, frame->orbit.azimuth_turns32 * 3);
     return lumi_look_pose(view, pose, fov_turns32, frame->mode);
 }
 
@@ -64,4 +65,10 @@ void pack_in_c(lumi_stripe grey, uint8_t* grey4, uint8_t* mono1, uint8_t* pages)
     lumi_pack_grey4(grey, grey4, LUMI_GREY4_BYTES(grey.width_px) + 4);
     lumi_pack_mono1(grey, mono1, LUMI_MONO1_BYTES(grey.width_px) + 4);
     lumi_pack_pages(grey, pages, (uint32_t)grey.width_px + 4);
+}
+
+void dither_in_c(lumi_stripe rgb, uint8_t* low_first, uint8_t* high_first)
+{
+    lumi_dither_rgb565(rgb, low_first, 2 * (uint32_t)rgb.width_px);
+    lumi_dither_rgb565_swapped(rgb, high_first, 2 * (uint32_t)rgb.width_px);
 }

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-typedef enum { EYE_OF_SCREEN, EYE_OF_MODE, EYE_OF_POSE, EYE_HELD, EYE_TO_THE_RIGHT, EYES } frame_eye;
+typedef enum { EYE_OF_SCREEN, EYE_OF_MODE, EYE_OF_POSE, EYE_HELD, EYE_TO_THE_RIGHT, EYE_ROLLED, EYES } frame_eye;
 typedef enum { OVER_DEFAULT, OVER_COLOUR, OVER_STRIPE, OVER_NOTHING, BACKGROUNDS } frame_background;
 
 typedef struct {
@@ -40,6 +40,7 @@ lumi_frame_quality next_control_in_c(control_in_c* control, lumi_touch touch, ui
 
 /* Packed by 4 bits a pixel, by 1, and in pages, whose rows are 4 bytes longer than they need to be. */
 void pack_in_c(lumi_stripe grey, uint8_t* grey4, uint8_t* mono1, uint8_t* pages);
+void dither_in_c(lumi_stripe rgb, uint8_t* low_first, uint8_t* high_first);
 
 #ifdef __cplusplus
 }

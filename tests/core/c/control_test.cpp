@@ -146,3 +146,15 @@ TEST_CASE("greys are packed from C as by C++")
         CHECK((by_c[k] != filled(static_cast<uint32_t>(by_c[k].size()))));
     }
 }
+
+TEST_CASE("colours are dithered from C as by C++")
+{
+    constexpr int32_t kWide = 24, kHigh = 8;
+    Bytes rgb, by_c[2], by_cpp[2];
+    for (uint32_t k = 0; k < 3 * kWide * kHigh; ++k) rgb.push_back(static_cast<uint8_t>(scattered(k)));
+    for (Bytes* bytes : {by_c, by_cpp}) bytes[0] = bytes[1] = Bytes(2 * kWide * kHigh);
+    dither_in_c({rgb.data(), 3, 5, kWide, kHigh, 3 * kWide}, by_c[0].data(), by_c[1].data());
+    dither_rgb565({rgb.data(), 3, 5, kWide, kHigh, 3 * kWide}, by_cpp[0].data(), 2 * kWide);
+    dither_rgb565_swapped({rgb.data(), 3, 5, kWide, kHigh, 3 * kWide}, by_cpp[1].data(), 2 * kWide);
+    CHECK((by_c[0] == by_cpp[0] && by_c[1] == by_cpp[1] && by_c[0] != by_c[1]));
+}

@@ -43,6 +43,8 @@ ViewError look_in_cpp(AnyView& view, const frame_in_c& f, uint8_t screen_mode)
             return view.look(held_pose({f.turn.w, f.turn.x, f.turn.y, f.turn.z}, o.distance_q20), fov, mode);
         case EYE_TO_THE_RIGHT:
             return view.look(moved_right(pose_of(orbit), f.offset_q20), fov, mode);
+        case EYE_ROLLED:
+            return view.look(rolled(pose_of(orbit), 3 * o.azimuth_turns32), fov, mode);
         default:
             return view.look(orbit, mode);
     }

@@ -152,6 +152,33 @@ TEST_CASE("a stereo pair moves along the camera's right axis", "[camera]")
     CHECK(left.forward.x == middle.forward.x);
 }
 
+TEST_CASE("a roll turns the picture clockwise: none changes no bit, quarter turns are exact, all are right", "[camera]")
+{
+    const auto same = [](const Vec3q30& a, const Vec3q30& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    const auto back = [](const Vec3q30& v) { return Vec3q30{-v.x, -v.y, -v.z}; };
+    Worst worst;
+    for (uint32_t k = 0; k < 4096; ++k) {
+        const int32_t elevation =
+            k < 3 ? static_cast<int32_t>(k - 1) * 0x40000000 : static_cast<int32_t>(k * 0x3C6EF372u) / 2;
+        const Pose p = orbit(k * 0x9E3779B9u, elevation, k % 2 == 0 ? kOneQ20 : kMaxEyeDistanceQ20);
+        const Pose none = rolled(p, 0), quarter = rolled(p, degrees(90)), half = rolled(p, degrees(180));
+        REQUIRE((same(none.right, p.right) && same(none.up, p.up)));
+        REQUIRE((same(quarter.right, p.up) && same(quarter.up, back(p.right))));
+        REQUIRE((same(half.right, back(p.right)) && same(half.up, back(p.up))));
+        const uint32_t turns = k * 0x85EBCA6Bu;
+        const Pose turned = rolled(p, turns);
+        const double angle = turns * (2 * 3.14159265358979323846 / 4294967296.0);
+        const Vec3 right = std::cos(angle) * decoded(p.right) + std::sin(angle) * decoded(p.up);
+        const Vec3 up = std::cos(angle) * decoded(p.up) - std::sin(angle) * decoded(p.right);
+        worst.see(twin::length(decoded(turned.right) - right), k);
+        worst.see(twin::length(decoded(turned.up) - up), k);
+        REQUIRE((same(turned.forward, p.forward) && turned.eye.x == p.eye.x && turned.eye.z == p.eye.z));
+        REQUIRE(error_of(turned, kImage) == CameraError::none);
+    }
+    worst.report("rolled, error of an axis");
+    CHECK(worst.error < 8e-9);  // sine and cosine are right to 2^-28, each of two products to that
+}
+
 TEST_CASE("poses and images out of range are refused by name and leave the camera untouched", "[camera]")
 {
     const Pose good = orbit(0, 0, 3 * kOneQ20);

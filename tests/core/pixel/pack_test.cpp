@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lumi/pixel.h"
+
 using namespace lumi;
 
 namespace
@@ -103,4 +105,44 @@ TEST_CASE("packing is the same in place, and however a frame is cut into stripes
         pack_pages(stripe, stripe.pixels, kWidth);
         CHECK((std::equal(stripe.pixels, stripe.pixels + kWidth, once.begin() + y / 8 * kWidth)));
     }
+}
+
+TEST_CASE("dithered colours have the mean that they stand for, and black and white stay so")
+{
+    double worst = 0;
+    for (uint32_t v = 0; v < 256; ++v) {
+        const uint8_t channels[] = {static_cast<uint8_t>(v), static_cast<uint8_t>(255 - v),
+                                    static_cast<uint8_t>(v / 2)};
+        Bytes rgb(64 * 3), pixels(64 * 2);
+        for (size_t k = 0; k < rgb.size(); ++k) rgb[k] = channels[k % 3];
+        dither_rgb565({rgb.data(), 8, 16, 8, 8, 24}, pixels.data(), 16);
+        double sums[3] = {};
+        for (size_t k = 0; k < 64; ++k) {
+            const uint16_t packed = PixelRgb565::load_packed(pixels.data() + 2 * k);
+            sums[0] += (packed >> 11) / 31.0, sums[1] += (packed >> 5 & 63) / 63.0, sums[2] += (packed & 31) / 31.0;
+            if (v == 0) CHECK(packed == 63 << 5);
+        }
+        for (int c = 0; c < 3; ++c) worst = std::max(worst, std::abs(sums[c] / 64 - channels[c] / 255.0) * 31);
+    }
+    CHECK(worst < 1.5 / 64);  // in steps: 64 thresholds
+}
+
+TEST_CASE("dither is the same in place, in either order of bytes, and however a frame is cut into stripes")
+{
+    Bytes rgb, whole(2 * kWidth * kHeight), swapped(whole.size()), cut(whole.size());
+    for (int32_t k = 0; k < 3 * kWidth * kHeight; ++k) rgb.push_back(static_cast<uint8_t>(k * 7 % 256));
+    dither_rgb565({rgb.data(), 0, 0, kWidth, kHeight, 3 * kWidth}, whole.data(), 2 * kWidth);
+    dither_rgb565_swapped({rgb.data(), 0, 0, kWidth, kHeight, 3 * kWidth}, swapped.data(), 2 * kWidth);
+    for (size_t k = 0; k < whole.size(); ++k) REQUIRE(whole[k] == swapped[k ^ 1]);
+    for (int32_t y = 0; y < kHeight; y += 3)
+        for (int32_t x = 0; x < kWidth; x += 10) {
+            Bytes part;
+            for (int32_t row = y; row < y + 3; ++row)
+                part.insert(part.end(), rgb.begin() + 3 * (row * kWidth + x),
+                            rgb.begin() + 3 * (row * kWidth + x + 10));
+            dither_rgb565({part.data(), x, y, 10, 3, 30}, part.data(), 20);
+            for (int32_t row = 0; row < 3; ++row)
+                std::copy_n(part.begin() + 20 * row, 20, cut.begin() + 2 * ((y + row) * kWidth + x));
+        }
+    CHECK((cut == whole));
 }

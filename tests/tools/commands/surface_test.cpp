@@ -52,6 +52,13 @@ TEST_CASE("render draws surface fields in every mode of theirs, by default the b
     CHECK(smooth.rgb != best.rgb);
     CHECK(psnr_db(smooth, best) > psnr_db(rough, best));
     CHECK(psnr_db(drawn({"--pixel", "rgb565"}), best) > 35);
+    const Picture dithered = drawn({"--pixel", "rgb565-dithered"}), rolled = drawn({"--roll", "90"});
+    CHECK(dithered.rgb != drawn({"--pixel", "rgb565"}).rgb);
+    CHECK(psnr_db(dithered, best) > 34);
+    Picture upright = best;  // what is up turns to the right
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) std::copy_n(rolled.pixel(63 - y, x), 3, upright.pixel(x, y));
+    CHECK(psnr_db(upright, best) > 40);
     CHECK(drawn({"--background", "00ff00"}).pixel(0, 0)[1] == 255);
 }
 

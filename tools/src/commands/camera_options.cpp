@@ -32,7 +32,7 @@ void set_orbit(const std::string& text, ViewOptions& options, const char* radii,
                                    "takes AZIMUTH,ELEVATION,DISTANCE such as 30,20,3: degrees, degrees from -90 "
                                    "to 90, radii " +
                                        std::string(radii) + "; not \"" + text + "\"");
-    options.orbit = {(*orbit)[0], (*orbit)[1], (*orbit)[2]};
+    options.orbit = {(*orbit)[0], (*orbit)[1], (*orbit)[2], options.orbit.roll_deg};
 }
 
 void set_picture_orbit(const std::string& text, ViewOptions& options)
@@ -92,7 +92,7 @@ void add_start_options(CLI::App& command, ViewOptions& options)
 void add_camera_options(CLI::App& command, ViewOptions& options, const std::string& background)
 {
     set_background(background, options);
-    constexpr double kMinFovDeg = 1, kMaxFovDeg = 120;
+    constexpr double kMinFovDeg = 1, kMaxFovDeg = 120, kMostRollDeg = 360;
     add(command, "--size", set_size, options, "WxH", "Size of a view in pixels [240x240]");
     add_orbit(command, options, set_picture_orbit);
     command
@@ -101,6 +101,11 @@ void add_camera_options(CLI::App& command, ViewOptions& options, const std::stri
                     "sphere fills the frame]")
         ->type_name("DEG")
         ->check(number(kMinFovDeg, kMaxFovDeg));
+    command
+        .add_option("--roll", options.orbit.roll_deg,
+                    "Turn the picture clockwise, as for a display that is mounted askew [0]")
+        ->type_name("DEG")
+        ->check(number(-kMostRollDeg, kMostRollDeg));
     command
         .add_option("--turntable", options.turntable,
                     "Draw COUNT views around the vertical axis: OUT-000.png, OUT-001.png, ... and OUT-sheet.png, or "
@@ -115,6 +120,7 @@ void add_camera_options(CLI::App& command, ViewOptions& options, const std::stri
                     "camera's axes (it looks along -z, y up, as in OpenGL) to those of the sphere (radius 1, z up)")
         ->type_name("POSE.txt")
         ->excludes("--orbit")
+        ->excludes("--roll")
         ->excludes("--turntable");
     command.add_option("--over", options.photo, "Draw over this photograph, in its size")
         ->type_name("PHOTO.png")

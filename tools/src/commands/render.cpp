@@ -135,10 +135,12 @@ void add_drawing_options(CLI::App& command, RenderOptions& options)
         ->type_name("0|1|2|4|8|16")
         ->check(one_of({0, 1, 2, 4, 8, 16}))
         ->capture_default_str();
-    add_choice<DisplayFormat>(
-        command, "--pixel", options.drawing.display,
-        {{"rgb888", DisplayFormat::rgb888}, {"rgb565", DisplayFormat::rgb565}, {"grey8", DisplayFormat::grey8}},
-        "Display to preview [rgb888]");
+    add_choice<DisplayFormat>(command, "--pixel", options.drawing.display,
+                              {{"rgb888", DisplayFormat::rgb888},
+                               {"rgb565", DisplayFormat::rgb565},
+                               {"rgb565-dithered", DisplayFormat::rgb565_dithered},
+                               {"grey8", DisplayFormat::grey8}},
+                              "Display to preview [rgb888]");
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ Picture with_pixel(DisplayFormat display, const Next& next)
 {
     switch (display) {
         case DisplayFormat::rgb888:
+        case DisplayFormat::rgb565_dithered:  // whole pictures are dithered: views.cpp
             return next(PixelRgb888());
         case DisplayFormat::rgb565:
             return next(PixelRgb565());

@@ -13,7 +13,7 @@ enum class Mode : uint8_t { nearest, linear, paper };
 // Returns "nearest", "linear" or "paper".
 const char* name_of(Mode mode);
 
-enum class DisplayFormat : uint8_t { rgb888, rgb565, grey8 };
+enum class DisplayFormat : uint8_t { rgb888, rgb565, rgb565_dithered, grey8 };
 
 inline constexpr uint32_t kDefaultNeighbours = 5;
 

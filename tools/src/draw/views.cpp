@@ -13,6 +13,7 @@
 #include "image/picture.h"
 #include "image/picture_file.h"
 #include "lumi/host/backdrop.h"
+#include "lumi/pack.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -113,8 +114,21 @@ Picture over_gradient(const Picture& over_corner, const Picture& over_middle)
     return result;
 }
 
+// What a display shows of a picture in 24 bits that is dithered for it.
+Picture dithered(const Picture& picture)
+{
+    const uint32_t stride = 2 * static_cast<uint32_t>(picture.width_px);
+    std::vector<uint8_t> rgb = picture.rgb, pixels(size_t{stride} * static_cast<size_t>(picture.height_px));
+    dither_rgb565({rgb.data(), 0, 0, picture.width_px, picture.height_px, stride / 2 * PixelRgb888::kBytes},
+                  pixels.data(), stride);
+    Picture result = picture;
+    copy_stripe<PixelRgb565>({pixels.data(), 0, 0, picture.width_px, picture.height_px, stride}, result);
+    return result;
+}
+
 Picture shown(const Eye& eye, const Drawer& draw, const Background& background, DisplayFormat display)
 {
+    if (display == DisplayFormat::rgb565_dithered) return dithered(shown(eye, draw, background, DisplayFormat::rgb888));
     if (background.kind == Background::Kind::none) return over_nothing(draw(eye, kBlack), draw(eye, kWhite));
     if (background.kind == Background::Kind::colour) return draw(eye, background.colour);
     const Picture over_corner = draw(eye, host::kBackdropCorner), over_middle = draw(eye, host::kBackdropMiddle);

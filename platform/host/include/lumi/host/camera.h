@@ -12,6 +12,7 @@ struct Orbit {
     double azimuth_deg = 0;    // any value; 0 looks from +x, 90 from +y
     double elevation_deg = 0;  // -90 .. 90
     double distance = 3;       // from the centre, in radii
+    double roll_deg = 0;       // turns the picture clockwise
 };
 
 // Conversions round to nearest. Angles wrap to one turn; lengths must lie in [-2048, 2048).
