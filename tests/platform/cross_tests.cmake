@@ -160,6 +160,11 @@ add_test(NAME platform.packages
     $<TARGET_FILE:lumi> ${CMAKE_CURRENT_BINARY_DIR}/fields/surface.lumi ${CMAKE_CURRENT_BINARY_DIR}/packages
     COMMAND_EXPAND_LISTS)
 set_tests_properties(platform.packages PROPERTIES FIXTURES_SETUP lumi_archives)
+add_test(NAME platform.channels
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/channels_test.py $<$<BOOL:${LUMI_TEST_ALL}>:--all>
+    ${CMAKE_CURRENT_BINARY_DIR}/packages/archives
+  COMMAND_EXPAND_LISTS)
+set_tests_properties(platform.channels PROPERTIES FIXTURES_REQUIRED lumi_archives)
 
 # Arduino's library by arduino-builder, its sketches on an emulated board; `tools/test.sh --all` fails without the builder.
 add_test(NAME platform.arduino

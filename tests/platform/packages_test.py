@@ -147,9 +147,6 @@ def manifests(core):
     text = (core / "idf_component.yml").read_text()
     component = dict(re.findall(r"^(\w+): *(.*)$", text, re.MULTILINE))
     check_version("esp-idf", component["version"].strip('"'))
-    home = re.search(r'^HOME = "(.*?)"', (ROOT / "tools/packaging/release.py").read_text(), re.MULTILINE)[1]
-    if component["url"] != home or not re.search(r"^maintainers:\n  - \w", text, re.MULTILINE):
-        sys.exit(f"error: esp-idf: the url is not {home}, or nobody maintains the component")
     module = dict(re.findall(r"^ +(cmake|kconfig): *(.*)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE))
     if not (core / module["cmake"] / "CMakeLists.txt").is_file() or not (core / module["kconfig"]).is_file():
         sys.exit("error: zephyr: module.yml names files that are not there")
@@ -196,13 +193,18 @@ def tagging(build):
         print("git is not installed, so tags were not tried")
         return
     folder = build.fresh("repository")
-    for name in ["core", "tools", "platform/arduino", "platform/lvgl", "LICENSE", "CHANGELOG.md", "CITATION.cff"]:
+    for name in ["core", "tools", "platform/arduino", "platform/lvgl", "platform/overlay", "platform/bare", "LICENSE",
+                 "CHANGELOG.md", "CITATION.cff", "library.json"]:
         (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
+    release = [sys.executable, "-B", folder / "tools/packaging/release.py", "--tag", "--lumi", build.lumi,
+               "--field", build.field, build.folder / "tagged"]
+    project = folder / "core/PROJECT.json"
+    if b"are placeholders" not in subprocess.run(release, capture_output=True).stderr:
+        sys.exit("error: release: placeholders were released")
+    project.write_text(re.sub("[Ee]xample", "real", project.read_text()))
     git = ["git", "-C", folder, "-c", "user.name=test", "-c", "user.email=test@example.invalid"]
     for command in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "all"]):
         build.run("release", [*git, *command])
-    release = [sys.executable, "-B", folder / "tools/packaging/release.py", "--tag", "--lumi", build.lumi,
-               "--field", build.field, build.folder / "tagged"]
     for name in ("user.name", "user.email"):
         build.run("release", [*git, "config", name, "test"])
     build.run("release", release)
@@ -212,7 +214,7 @@ def tagging(build):
     (folder / "core/new.cpp").write_text("int changed;\n")
     if b"not committed" not in subprocess.run(release, capture_output=True).stderr:
         sys.exit("error: release: what was not committed was tagged")
-    for name in ("core/new.cpp", "LICENSE", "platform/arduino"):
+    for name in ("core/new.cpp", "core/LICENSE", "platform/arduino"):
         kept = folder / (name + ".kept")
         (folder / name).rename(kept)
         (folder / name).symlink_to(kept)
@@ -298,6 +300,8 @@ def samples(build, core, cxx):
     build.compile("esp-idf's example", sorted((core / "examples").glob("*/main/*.cpp")), esp_idf,
                   [*cxx, "-Wextra", "-Werror"], "riscv64-unknown-elf-")
     build.run("measure", [build.lumi, "embed", build.field, "-o", folder / "desk_clock.c"])
+    build.compile("live data", sorted((core / "examples/live_data").glob("*.cpp")), [*M0, *flags],
+                  ["-std=c++17", *COMMON[2:], "-Wall", "-Wextra", "-Werror"])
     build.compile("esp-idf's measuring program", [ROOT / "platform/measure/esp_idf/main/main.cpp"], esp_idf,
                   [*cxx, "-Wextra", "-Werror"], "riscv64-unknown-elf-")
 
@@ -329,7 +333,7 @@ def main(arguments):
     toys = build.fresh("toys")
     for size in (7, 30):  # kilobytes, by their names
         shutil.copy(field, toys / f"toy{size}.lumi")
-    build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", "--lumi", lumi,
+    build.run("release", [sys.executable, "-B", ROOT / "tools/packaging/release.py", "--dry-run", "--lumi", lumi,
                           "--field", field, "--samples", toys, archives])
     unpacked = build.fresh("core")
     tarfile.open(next(archives.glob("lumi-core-*.tar.xz"))).extractall(unpacked)

@@ -49,6 +49,8 @@ def library(core, added, words, fields):
     files["library.properties"] = properties.encode()
     files["CHANGELOG.md"] = core["CHANGELOG.md"]
     for name, content in core.items():
+        if name.startswith("examples/live_data/"):
+            files["extras/live_data/" + name.rsplit("/", 1)[1]] = content
         if name.startswith("lvgl/"):
             files["extras/" + name] = content.replace(b'"../src/', b'"')
         for folder in ("include/", "src/"):

@@ -4,7 +4,10 @@
 include(GNUInstallDirs)
 set(lumi_doc ${CMAKE_INSTALL_DATADIR}/doc/lumipath)
 
-set(CPACK_PACKAGE_CONTACT "The LumiPath developers <lumi@example.invalid>")
+file(READ ${PROJECT_SOURCE_DIR}/core/PROJECT.json lumi_project)
+string(JSON lumi_maintainer GET "${lumi_project}" maintainer)
+string(JSON lumi_email GET "${lumi_project}" email)
+set(CPACK_PACKAGE_CONTACT "${lumi_maintainer} <${lumi_email}>")
 
 # Pages and completion come from the help of the command, when it is installed.
 install(CODE "

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""release.py [--check | --set-version X.Y.Z | --tag] [--lumi COMMAND] [--field FILE.lumi]
+"""release.py [--check | --set-version X.Y.Z | --tag | --dry-run] [--lumi COMMAND] [--field FILE.lumi]
            [--samples FOLDER] [OUT]
 
 Writes core's archives for firmware ecosystems, bills of materials (SPDX 2.3) and SHA256SUMS into OUT (out/release): the
@@ -9,7 +9,11 @@ git tracks are packed. core/VERSION is
 the version; --set-version writes it wherever a tool wants to read it, --check finds where it differs. --tag also tags
 the commit vX.Y.Z, of a tree without changes, before it writes. Archives: core for CMake, Zephyr, the Pico SDK and
 PlatformIO; the same as a component of ESP-IDF, whose folder is its name; the Arduino library; the CMSIS-Pack. Each holds
-the part for LVGL and the changelog.
+the part for LVGL, an example with live data and the changelog. OUT/trees has a folder for each channel, as it takes it
+(channels.py).
+
+core/PROJECT.json says where the project lives and who keeps it. While it holds placeholders, there is no release:
+--dry-run writes it nevertheless.
 
 COMMAND (build/release/tools/lumi) bakes the field of Arduino's sketches, which takes minutes; with --field it only embeds
 that file. With --samples there is also an archive of the fields in FOLDER, with pages that turn them.
@@ -20,29 +24,27 @@ import io
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
 import zipfile
 
 import arduino
+import channels
 import samples
 import spdx
+from project import CORE, PROJECT, ROOT, placeholders, version
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-CORE = ROOT / "core"
-HOME = "https://example.invalid/lumi"  # where the project lives
+HOME = PROJECT["home"]
 EPOCH = (2020, 1, 1, 0, 0, 0)
 # Files that hold the version, each with a pattern whose group it is.
 COPIES = {
     CORE / "idf_component.yml": r'^version: "([^"]+)"',
     CORE / "library.json": r'"version": "([^"]+)"',
+    ROOT / "library.json": r'"version": "([^"]+)"',
     ROOT / "CITATION.cff": r"^version: (\S+)",
 }
-
-
-def version():
-    return (CORE / "VERSION").read_text().strip()
 
 
 def copies():
@@ -89,43 +91,11 @@ def lvgl_files():
 
 def core_files():
     files = tracked(CORE)
-    for name in ("LICENSE", "CHANGELOG.md"):
-        files[name] = content(ROOT / name)
+    files["CHANGELOG.md"] = content(ROOT / "CHANGELOG.md")
+    for name, path in {"main.cpp": "platform/overlay/main.cpp", "board.h": "platform/bare/board.h"}.items():
+        files["examples/live_data/" + name] = content(ROOT / path)
     files.update({f"lvgl/{name}": text for name, text in lvgl_files().items()})
     return files
-
-
-def pack_description(names):
-    sources = "\n".join(f'        <file category="source" name="{n}"/>' for n in names
-                        if n.startswith("src/") and n.endswith((".cpp", ".S")))
-    return f"""<?xml version="1.0" encoding="UTF-8"?>
-<package schemaVersion="1.7.28" xmlns:xs="http://www.w3.org/2001/XMLSchema-instance"
-         xs:noNamespaceSchemaLocation="PACK.xsd">
-  <vendor>Lumi</vendor>
-  <name>lumi</name>
-  <description>Path-traced objects, drawn from flash by integers</description>
-  <url>{HOME}/</url>
-  <license>LICENSE</license>
-  <releases>
-    <release version="{version()}">See CHANGELOG.md.</release>
-  </releases>
-  <conditions>
-    <condition id="CortexM">
-      <require Cclass="CMSIS" Cgroup="CORE"/>
-    </condition>
-  </conditions>
-  <components>
-    <component Cclass="Graphics" Cgroup="LumiPath" Cversion="{version()}" condition="CortexM">
-      <description>Renderers of surface and chord fields; C++17, gcc or clang</description>
-      <files>
-        <file category="include" name="include/"/>
-        <file category="include" name="src/"/>
-{sources}
-      </files>
-    </component>
-  </components>
-</package>
-"""
 
 
 def write_zip(path, files, top=""):
@@ -157,24 +127,35 @@ def write_bills(out, core, lumi):
         (out / f"lumi-{version()}.spdx.json").write_bytes(bill)
 
 
+def write_trees(folder, trees):
+    shutil.rmtree(folder, ignore_errors=True)
+    for channel, files in trees.items():
+        for name, content_of in files.items():
+            path = folder / channel / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content_of)
+            path.chmod(0o755 if content_of.startswith(b"#!") else 0o644)
+        print(f"{len(files):5} files  trees/{channel}")
+
+
 def write_archives(out, fields, lumi, sample_files):
     out.mkdir(parents=True, exist_ok=True)
     core = core_files()
     top = f"lumi-core-{version()}/"
+    trees = channels.trees(core, tracked(ROOT), tracked(arduino.ADDED), fields)
     write_tar(out / f"lumi-core-{version()}.tar.xz", core, top)
-    write_zip(out / f"lumi-esp-idf-{version()}.zip", core, "lumi/")
-    library = arduino.library(core, tracked(arduino.ADDED), {"VERSION": version(), "HOME": HOME}, fields)
-    write_zip(out / f"lumi-arduino-{version()}.zip", library, "Lumi/")
-    pack = dict(core)
-    pack["Lumi.lumi.pdsc"] = pack_description(sorted(core)).encode()
-    write_zip(out / f"Lumi.lumi.{version()}.pack", pack)
+    write_zip(out / f"lumi-esp-idf-{version()}.zip", trees["esp-idf"], "lumi/")
+    write_zip(out / f"lumi-arduino-{version()}.zip", trees["arduino"], "Lumi/")
+    write_zip(out / f"{PROJECT['namespace']}.lumi.{version()}.pack", trees["cmsis"])
+    (out / f"{PROJECT['namespace']}.pidx").write_text(channels.pack_index())
     if sample_files:
         write_zip(out / f"lumi-samples-{version()}.zip", {**sample_files, "LICENSE": core["LICENSE"]}, f"lumi-samples-{version()}/")
     write_bills(out, core, lumi)
-    names = sorted(p.name for p in out.iterdir() if p.name != "SHA256SUMS")
+    names = sorted(p.name for p in out.iterdir() if p.is_file() and p.name != "SHA256SUMS")
     sums = "".join(f"{hashlib.sha256((out / n).read_bytes()).hexdigest()}  {n}\n" for n in names)
     (out / "SHA256SUMS").write_text(sums)
     print(sums, end="")
+    write_trees(out / "trees", trees)
 
 
 def git(*arguments):
@@ -193,7 +174,7 @@ def require_committed():
 def parsed(arguments):
     parser = argparse.ArgumentParser(usage=__doc__, add_help=False, allow_abbrev=False)
     what = parser.add_mutually_exclusive_group()
-    for flag in ("--check", "--tag"):
+    for flag in ("--check", "--tag", "--dry-run"):
         what.add_argument(flag, action="store_true")
     what.add_argument("--set-version")
     parser.add_argument("--lumi", type=pathlib.Path, default=ROOT / "build/release/tools/lumi")
@@ -213,8 +194,13 @@ def main(arguments):
     json.loads((CORE / "library.json").read_text())
     if wrong:
         sys.exit("\n".join(wrong))
+    if content(CORE / "LICENSE") != content(ROOT / "LICENSE"):
+        sys.exit("error: LICENSE: differs from core/LICENSE; copy the latter")
     if options.check:
         return
+    if placeholders() and not options.dry_run:
+        sys.exit(f"error: core/PROJECT.json: {', '.join(placeholders())} are placeholders; say where the project lives, or "
+                 "add --dry-run")
     if options.tag:
         require_committed()
     fields = arduino.field_files(options.lumi, options.field)

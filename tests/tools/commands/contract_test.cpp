@@ -64,7 +64,7 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--background", "red"), "RRGGBB"},
         {{"render", field, "-o", png, "--background", "none", "--pixel", "rgb565"}, "--pixel rgb888 only"},
         {{"view", field, "-o", png, "--background", "none"}, "gradient, black or a colour"},
-        {render("--pixel", "rgb332"), "rgb888, rgb565 or grey8"},
+        {render("--pixel", "rgb332"), "rgb888, rgb565, rgb565-dithered or grey8"},
         {render("--turntable", "0"), "--turntable"},
         {bake("--texel", "rgb"), "palette8"},
         {bake("--shard", "3"), "K/COUNT"},
