@@ -36,6 +36,11 @@ ViewError open_drawing(const uint8_t* bytes, size_t size)
 
 void set_part(uint32_t, uint32_t) {}
 
+PartSigns part_signs(uint32_t)
+{
+    return {};
+}
+
 uint32_t drawing_modes()
 {
     return kModes;

@@ -25,13 +25,18 @@ inline constexpr int32_t kStripeRows = 16;  // as `lumi render` draws, and firmw
 enum class DisplayFormat : uint32_t { rgb888, rgb565, grey8 };
 inline constexpr uint32_t kDisplayFormats = 3;
 
-// Calls `next` with a value of the display's pixel policy.
+// Calls `next` with a value of the display's pixel policy. In the module of <lumi-view>, LUMI_VIEW_ELEMENT, that is
+// one, drawn over nothing: the page shows around the object.
 template <class Next>
-auto with_pixel(DisplayFormat format, const Next& next)
+auto with_pixel([[maybe_unused]] DisplayFormat format, const Next& next)
 {
+#ifdef LUMI_VIEW_ELEMENT
+    return next(PixelArgb8888());
+#else
     if (format == DisplayFormat::rgb565) return next(PixelRgb565());
     if (format == DisplayFormat::grey8) return next(PixelGrey8());
     return next(PixelRgb888());
+#endif
 }
 
 // How a frame is drawn. What a mode's number means is the drawing's own: `kModes` of its file.
@@ -39,6 +44,18 @@ struct Style {
     uint32_t mode;
     DisplayFormat format;
     OverColour background;
+
+#ifdef LUMI_VIEW_ELEMENT
+    OverNothing behind() const
+    {
+        return {};
+    }
+#else
+    const OverColour& behind() const
+    {
+        return background;
+    }
+#endif
 };
 
 // A failure leaves what was open.
@@ -48,6 +65,14 @@ uint32_t drawing_modes();
 // From the next look() on a moving part is there: turns times 2^32, or radii, Q20, of one that slides. A number of no
 // part counts for nothing.
 void set_part(uint32_t part, uint32_t value);
+
+// A moving part's name, in the field, and whether it slides; no name: there is no such part.
+struct PartSigns {
+    const char* name;
+    uint32_t name_bytes;
+    bool slides;
+};
+PartSigns part_signs(uint32_t part);
 
 // Bytes of memory that look() takes for images of that size, whatever the style.
 uint32_t drawing_bytes(int32_t width_px, int32_t height_px);

@@ -30,6 +30,13 @@ void set_part(uint32_t part, uint32_t value)
     if (part < detail::format::kMaxParts) part_values[part] = value;
 }
 
+PartSigns part_signs(uint32_t part)
+{
+    if (part >= mover_count(field)) return {};
+    const PartName name = part_name(field, part);
+    return {name.text, name.bytes, part_motion(field, part).slides};
+}
+
 uint32_t drawing_modes()
 {
     return kModes;
@@ -92,7 +99,7 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
 ViewError draw(const Style& style, const Stripe& stripe)
 {
     with_pixel(style.format, [&](auto pixel) {
-        render_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, style.background, stripe,
+        render_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, style.behind(), stripe,
                                                                                        samples);
     });
     return ViewError::none;

@@ -77,6 +77,13 @@ bool approach(uint32_t elapsed_ms)
     return true;
 }
 
+template <class Pixel>
+uint8_t alpha_of(const uint8_t* pixel)
+{
+    if constexpr (detail::kHoldsCoverage<Pixel>) return pixel[3];
+    return 255;
+}
+
 // What a display shows of a stripe; over the gradient, of a stripe over each of its two greys.
 template <class Pixel>
 void copy_to_canvas(const Stripe& stripe, const Stripe& over_middle)
@@ -91,18 +98,18 @@ void copy_to_canvas(const Stripe& stripe, const Stripe& over_middle)
                 colour = host::over_backdrop<Pixel>(colour, Pixel::load(middle), share, x, y);
                 middle += Pixel::kBytes;
             }
+            to[3] = alpha_of<Pixel>(from);
             from += Pixel::kBytes;
             to[0] = colour.r;
             to[1] = colour.g;
             to[2] = colour.b;
-            to[3] = 255;
         }
 }
 
 // Of a stripe in any format; a multiple of kAlignment.
 size_t stripe_bytes(int32_t width_px)
 {
-    return static_cast<size_t>(width_px) * kStripeRows * PixelRgb888::kBytes;
+    return static_cast<size_t>(width_px) * kStripeRows * PixelArgb8888::kBytes;
 }
 
 uint32_t pixel_bytes(DisplayFormat format)
@@ -200,6 +207,21 @@ LUMI_EXPORT(turn) void turn(uint32_t azimuth_turns32)
 LUMI_EXPORT(set_part) void set_moving_part(uint32_t part, uint32_t value)
 {
     set_part(part, value);
+}
+
+LUMI_EXPORT(part_name) const char* name_of_part(uint32_t part)
+{
+    return part_signs(part).name;
+}
+
+LUMI_EXPORT(part_name_bytes) uint32_t part_name_bytes(uint32_t part)
+{
+    return part_signs(part).name_bytes;
+}
+
+LUMI_EXPORT(part_slides) bool part_slides(uint32_t part)
+{
+    return part_signs(part).slides;
 }
 
 LUMI_EXPORT(azimuth) uint32_t azimuth()

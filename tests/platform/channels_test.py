@@ -115,6 +115,15 @@ def cmsis(tree):
     require("cmsis", index.find("vendor").text == vendor and index.find("timestamp") is not None, "the index is incomplete")
 
 
+def npm(tree):
+    """https://docs.npmjs.com/cli/v10/configuring-npm/package-json; `npm pack` itself runs in tests/tools/viewer."""
+    manifest = json.loads((tree / "package.json").read_text())
+    check("npm", {**manifest, **manifest["repository"]}, {
+        "name": r"@[a-z0-9~-][a-z0-9._~-]*/[a-z0-9._~-]+", "version": re.escape(VERSION), "license": "MIT", "author": PERSON,
+        "homepage": URL, "url": r"git\+https://\S+\.git", "main": r"\S+\.js", "types": r"\S+\.d\.ts"})
+    is_there("npm", tree, manifest["main"], manifest["types"], "README.md", "LICENSE", *manifest["files"])
+
+
 def debian(tree, has_tools):
     """https://www.debian.org/doc/debian-policy/ch-controlfields.html; lintian."""
     source, package = (tree / "debian/control").read_text().split("\n\n")
@@ -139,6 +148,8 @@ def main(arguments):
     trees = pathlib.Path(arguments[-1]).resolve() / "trees"
     for test in (arduino, esp_idf, platformio, zephyr, cmsis):
         test(trees / test.__name__.replace("_", "-"))
+    if (trees / "npm").exists():  # of a build without clang there is none
+        npm(trees / "npm")
     debian(trees / "debian", "--all" in arguments)
     for channel in sorted(trees.iterdir()):
         print(f"{channel.name}: {sum(p.is_file() for p in channel.rglob('*'))} files")

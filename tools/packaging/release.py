@@ -32,6 +32,7 @@ import zipfile
 
 import arduino
 import channels
+import npm
 import samples
 import spdx
 from project import CORE, PROJECT, ROOT, placeholders, version
@@ -143,6 +144,11 @@ def write_archives(out, fields, lumi, sample_files):
     core = core_files()
     top = f"lumi-core-{version()}/"
     trees = channels.trees(core, tracked(ROOT), tracked(arduino.ADDED), fields)
+    module = lumi.parent.parent / "platform/wasm/element_viewer.wasm.gz"
+    if module.is_file():
+        trees["npm"] = npm.files(module)
+    else:
+        print(f"SKIPPED trees/npm: {module} is missing: build lumi with clang and lld", file=sys.stderr)
     write_tar(out / f"lumi-core-{version()}.tar.xz", core, top)
     write_zip(out / f"lumi-esp-idf-{version()}.zip", trees["esp-idf"], "lumi/")
     write_zip(out / f"lumi-arduino-{version()}.zip", trees["arduino"], "Lumi/")

@@ -53,7 +53,7 @@ async function close(tab) {
 
 const eyeOf = tab => tab.evaluate(() => [module.azimuth() | 0, module.elevation(), module.distance()]);
 const frameOf = tab => tab.evaluate(() => document.getElementById('picture').toDataURL());
-const settled = tab => tab.waitForFunction(() => !module.advance(false, 0, 0, 16) && !isDirty);
+const settled = tab => tab.waitForFunction(() => !module.advance(false, 0, 0, 16) && !turner.isDirty);
 
 async function middleOf(tab) {
   const box = await (await tab.$('#picture')).boundingBox();
@@ -154,7 +154,7 @@ test('controls are found by their names, and change the picture', async () => {
   const before = await frameOf(tab);
   await tab.click('#formats label:nth-of-type(3)');
   await tab.select('#screen', '7');
-  await tab.waitForFunction(() => document.getElementById('picture').width === 480 && !isDirty);
+  await tab.waitForFunction(() => document.getElementById('picture').width === 480 && !turner.isDirty);
   assert.notEqual(await frameOf(tab), before);
   await close(tab);
 });
@@ -181,7 +181,7 @@ test('at a chip’s speed fewer frames are drawn', async () => {
 test('beside a reference the eye stands where that was traced', async () => {
   const tab = await opened({file: compared});
   await tab.keyboard.press('t');
-  await tab.waitForFunction(() => document.getElementById('reference').naturalWidth === 240 && !isDirty);
+  await tab.waitForFunction(() => document.getElementById('reference').naturalWidth === 240 && !turner.isDirty);
   const difference = await tab.evaluate(() => {  // the references are the module's own frames, in RGB888
     set({format: 1, mode: data.modes.length - 1});
     drawCompared();
@@ -189,7 +189,7 @@ test('beside a reference the eye stands where that was traced', async () => {
     [taken.width, taken.height] = [240, 240];
     const paper = taken.getContext('2d');
     paper.drawImage(document.getElementById('reference'), 0, 0);
-    const a = paper.getImageData(0, 0, 240, 240).data, b = pixels.data;
+    const a = paper.getImageData(0, 0, 240, 240).data, b = turner.pixels.data;
     return a.reduce((sum, value, k) => sum + Math.abs(value - b[k]), 0);
   });
   assert.equal(difference, 0);

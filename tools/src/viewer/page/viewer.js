@@ -1,14 +1,11 @@
 
-'use strict';
-// The page's only logic: settings, and what fingers, mouse and keys say. The module (platform/wasm/viewer.cpp) holds the
-// field and the eye, and draws.
+// The page's settings. What fingers, mouse and keys say goes to the turner (turner.js), which draws.
 
 const data = JSON.parse(document.getElementById('data').textContent);
 const $ = id => document.getElementById(id);
 const canvas = $('picture');
-const context = canvas.getContext('2d', {alpha: false});
+const turner = new Turner(canvas, {alpha: false});
 
-const TURN = 2 ** 32, DISPLAY_STEPS = 1024;  // a finger's steps across the display: see kTurnPerStep
 const FORMATS = [  // by the module's numbers
   {name: 'RGB565', bits: '16 bits a pixel', number: 1},
   {name: 'RGB888', bits: '24 bits a pixel', number: 0},
@@ -31,18 +28,13 @@ const RATED_PIXELS = 240 * 240;
 const STILL = matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 const state = {
-  mode: data.firstMode, format: 0, screen: 0, chip: 1, paced: false, comparing: false, spinning: !STILL,
+  mode: data.firstMode, format: 0, screen: 0, chip: 1, paced: false, comparing: false,
+  get spinning() { return turner.spins; }, set spinning(spins) { turner.spins = spins; },
   gradient: data.background === 'gradient',
 };
-let module, pixels;  // the module's exports; where it draws
+let module;  // the module's exports
 
 // ---- Small things
-
-function bytesOf(base64) {
-  const text = atob(base64), bytes = new Uint8Array(text.length);
-  for (let k = 0; k < text.length; ++k) bytes[k] = text.charCodeAt(k);
-  return bytes;
-}
 
 // "123 kB": units of 1000, as the command prints them.
 function byteText(bytes) {
@@ -51,11 +43,6 @@ function byteText(bytes) {
 }
 
 function say(text) { $('news').textContent = text; }
-
-function textAt(address) {
-  const bytes = new Uint8Array(module.memory.buffer, address);
-  return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
-}
 
 function element(name, properties, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -66,37 +53,20 @@ function element(name, properties, ...children) {
 // ---- The module
 
 async function startModule() {
-  const zipped = new Blob([bytesOf($('module').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
-  const {instance} = await WebAssembly.instantiate(await new Response(zipped).arrayBuffer());
-  module = instance.exports;
   const field = bytesOf($('field').textContent);
-  const address = module.field_memory(field.length);
-  if (!address) throw new Error('the browser has no memory for this field');
-  new Uint8Array(module.memory.buffer, address, field.length).set(field);
-  const error = module.open_field();
-  if (error) throw new Error(textAt(module.describe(error)));
-  module.set_home(data.home.azimuth, data.home.elevation, data.home.distance);
+  await turner.open(bytesOf($('module').textContent), field, data.home);
+  module = turner.module;
   return field.length;
-}
-
-function useScreen({width, height}) {
-  const address = module.set_screen(width, height);
-  if (!address) throw new Error('the browser has no memory for this screen');
-  canvas.width = width;
-  canvas.height = height;
-  pixels = new ImageData(new Uint8ClampedArray(module.memory.buffer, address >>> 0, 4 * width * height), width, height);
 }
 
 let cost = 0;  // milliseconds a frame, the mean of the last ones
 
 function drawFrame() {
   const begin = performance.now();
-  const error = module.draw_frame(data.modes[state.mode].number, FORMATS[state.format].number,
+  turner.draw(data.modes[state.mode].number, FORMATS[state.format].number,
     state.gradient ? GRADIENT : parseInt($('background').value.slice(1), 16));
-  if (error) throw new Error(textAt(module.describe(error)));
   const took = performance.now() - begin;
   cost = cost ? 0.9 * cost + 0.1 * took : took;
-  context.putImageData(pixels, 0, 0);
 }
 
 // ---- Parts that move
@@ -111,10 +81,8 @@ const handOf = part => part.slides ? undefined : HANDS.find(([name]) => name.tes
 let shownSecond = -1;
 
 function movePart(k, value) {
-  const part = data.parts[k];
-  module.set_part(k, Math.round(value * (part.slides ? 2 ** 20 : TURN / 360)) | 0);
+  turner.setPart(k, data.parts[k], value);
   $(`part-${k}`).value = value;
-  isDirty = true;
 }
 
 function buildParts() {
@@ -139,41 +107,7 @@ function showTime() {
 
 // ---- Motion
 
-const finger = {down: false, x: 0, y: 0};  // a real one, or that of the keys
-const pointers = new Map();                // all that touch the picture
-const held = new Set();                    // arrow keys
-let pinch = 0;                             // distance of two fingers, 0: no pinch
-let isDirty = true, lastTick = 0, lastFrame = 0;
-
-function steps(event) {
-  const scale = DISPLAY_STEPS / Math.min(canvas.clientWidth, canvas.clientHeight);
-  return [Math.round(event.clientX * scale), Math.round(event.clientY * scale)];
-}
-
-const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
-const KEY_SPEED = 0.55, FARTHEST_STEP = 30000;  // steps a millisecond; what the module takes
-
-// The arrow keys are a finger that goes on and on.
-function moveByKeys(elapsed) {
-  if (pointers.size) return;
-  finger.down = held.size > 0 && Math.max(Math.abs(finger.x), Math.abs(finger.y)) < FARTHEST_STEP;
-  if (!finger.down) finger.x = finger.y = 0;
-  for (const key of held) {
-    finger.x += Math.round(ARROWS[key][0] * KEY_SPEED * elapsed);
-    finger.y += Math.round(ARROWS[key][1] * KEY_SPEED * elapsed);
-  }
-}
-
-const SPIN = TURN / 14000;  // a turn in 14 seconds
-
-function advance(elapsed) {
-  moveByKeys(elapsed);
-  if (module.advance(finger.down && !pinch, finger.x, finger.y, Math.round(elapsed))) isDirty = true;
-  if (state.spinning && !finger.down) {
-    module.turn(Math.round(SPIN * elapsed) >>> 0);
-    isDirty = true;
-  }
-}
+let lastTick = 0, lastFrame = 0;
 
 // While two pictures are compared, the eye stands where a reference was traced.
 function showReference() {
@@ -206,61 +140,13 @@ function frameIsDue(now) {
 }
 
 function tick(now) {
-  advance(Math.min(now - lastTick, 250));
+  turner.advance(Math.min(now - lastTick, 250));
   lastTick = now;
   showTime();
-  if (isDirty && frameIsDue(now)) {
-    isDirty = false;
+  if (turner.isDirty && frameIsDue(now)) {
     if (state.comparing) drawCompared(); else drawSeen();
   }
   requestAnimationFrame(tick);
-}
-
-function touched() {
-  state.spinning = false;
-  $('hint').style.visibility = 'hidden';
-}
-
-function pinchDistance() {
-  const [a, b] = [...pointers.values()];
-  return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-}
-
-function zoom(factor) {
-  module.scale_distance(Math.round(65536 * Math.min(Math.max(factor, 0.25), 4)));
-  isDirty = true;
-}
-
-function onPointer(event) {
-  if (event.type === 'pointerdown') canvas.setPointerCapture(event.pointerId);
-  else if (!pointers.has(event.pointerId)) return;
-  const lifted = event.type === 'pointerup' || event.type === 'pointercancel';
-  if (lifted) pointers.delete(event.pointerId); else pointers.set(event.pointerId, event);
-  touched();
-  if (pointers.size === 2) {
-    const now = pinchDistance();
-    if (pinch) zoom(pinch / now);
-    pinch = now;
-  } else if (pointers.size === 0) {
-    pinch = 0;
-    finger.down = false;
-    return;
-  }
-  const [first] = pointers.values();
-  [finger.x, finger.y] = steps(first);
-  finger.down = true;
-}
-
-function onWheel(event) {
-  event.preventDefault();
-  touched();
-  const lines = [1, 20, 400][event.deltaMode];
-  zoom(2 ** (event.deltaY * lines / 600));
-}
-
-function showFirstView() {
-  module.go_home();
-  isDirty = true;
 }
 
 // ---- Settings
@@ -314,7 +200,7 @@ function set(changes) {
   Object.assign(state, changes);
   if ('screen' in changes || 'comparing' in changes) fitScreen();
   showSettings();
-  isDirty = true;
+  turner.isDirty = true;
   cost = 0;
 }
 
@@ -354,10 +240,8 @@ function showSettings() {
   showRam();
 }
 
-function degrees(turns) { return Math.round((turns | 0) / TURN * 360); }
-
 function showStatus() {
-  const azimuth = (degrees(module.azimuth()) + 360) % 360, elevation = degrees(module.elevation());
+  const {azimuth, elevation} = turner.seenFrom();
   $('status').textContent = `Seen from ${azimuth}°, ${elevation}° up. ` +
     `This browser draws a frame in ${cost.toFixed(1)} ms.`;
   canvas.setAttribute('aria-label', `${data.title}, seen from ${azimuth} degrees around, ${elevation} degrees up`);
@@ -369,7 +253,7 @@ function showStatus() {
 function fitScreen() {
   const compared = state.comparing && $('reference').naturalWidth;
   const size = compared ? {width: $('reference').naturalWidth, height: $('reference').naturalHeight} : screenNow();
-  useScreen(size);
+  turner.useScreen(size.width, size.height);
   layOut();
 }
 
@@ -392,7 +276,7 @@ function layOut() {
     picture.style.height = `${canvas.height * scale + 2 * bezel}px`;
   }
   canvas.style.imageRendering = scale * ratio >= 4 ? 'pixelated' : '';
-  isDirty = true;
+  turner.isDirty = true;
 }
 
 // ---- Keys
@@ -408,9 +292,9 @@ function onLetter(key) {
   else if (key === 'v') set({paced: !state.paced});
   else if (key === 'b') set({gradient: !state.gradient});
   else if (key === 't' && data.references.length) set({comparing: !state.comparing});
-  else if (key === '0') showFirstView();
-  else if (key === '+' || key === '=') zoom(0.85);
-  else if (key === '-') zoom(1 / 0.85);
+  else if (key === '0') turner.goHome();
+  else if (key === '+' || key === '=') turner.zoom(0.85);
+  else if (key === '-') turner.zoom(1 / 0.85);
   else return;
   say(`${data.modes[state.mode].title}, ${FORMATS[state.format].name}, ${screenNow().name}, ` +
     `${data.chips[state.chip].title}: ${rateText(data.chips[state.chip])}`);
@@ -420,8 +304,7 @@ function onKeyDown(event) {
   const isControl = event.target.matches('input, select, summary');
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   if (ARROWS[event.key] && !isControl) {
-    held.add(event.key);
-    touched();
+    turner.hold(event.key);
   } else if (event.key === ' ' && !isControl) {
     state.spinning = !state.spinning;
   } else {
@@ -434,13 +317,11 @@ function onKeyDown(event) {
 // ---- Begin
 
 function listen() {
-  for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointercancel'])
-    canvas.addEventListener(type, onPointer);
-  canvas.addEventListener('wheel', onWheel, {passive: false});
-  canvas.addEventListener('dblclick', showFirstView);
+  turner.onTouch = () => { $('hint').style.visibility = 'hidden'; };
+  turner.listen();
   addEventListener('keydown', onKeyDown);
-  addEventListener('keyup', event => held.delete(event.key));
-  addEventListener('blur', () => held.clear());
+  addEventListener('keyup', event => turner.held.delete(event.key));
+  addEventListener('blur', () => turner.held.clear());
   addEventListener('resize', layOut);
   $('reference').addEventListener('load', () => { if (canvas.width !== $('reference').naturalWidth) fitScreen(); });
 }
@@ -448,6 +329,7 @@ function listen() {
 async function start() {
   try {
     const fieldBytes = await startModule();
+    state.spinning = !STILL;
     buildSettings(fieldBytes);
     buildParts();
     listen();
