@@ -19,7 +19,7 @@ FEW = 2
 FIRST_THREADS = 3  # the first belong to Embree's TBB, the next to the bake
 MOST_ALLOCATIONS = 300
 LAST_ALLOCATIONS = 30
-EARLIER = b"earlier output"
+EARLIER = b"/* Written by `lumi embed`. */"
 
 CUBE = """v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""

@@ -63,7 +63,9 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {render("--mode", "dither"), "nearest, linear or paper"},
         {render("--background", "red"), "RRGGBB"},
         {{"render", field, "-o", png, "--background", "none", "--pixel", "rgb565"}, "--pixel rgb888 only"},
-        {{"view", field, "-o", png, "--background", "none"}, "gradient, black or a colour"},
+        {{"view", field, "-o", folder / "p.html", "--background", "none"}, "gradient, black or a colour"},
+        {{"view", field, "-o", png}, "--output takes a page (.html), not "},
+        {{"report", kScene, field, "-o", field}, "--output takes a page (.html), not "},
         {render("--pixel", "rgb332"), "rgb888, rgb565, rgb565-dithered or grey8"},
         {render("--turntable", "0"), "--turntable"},
         {bake("--texel", "rgb"), "palette8"},
@@ -178,14 +180,14 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
     write_png(folder / "large.png", Picture(30, 20));
     write_png(folder / "tiny.png", Picture(5, 5));
     test::write_content(folder / "bad.obj", "f 1 2 3\n");
-    const std::string out = folder / "out.png", asm_out = folder / "out.S";
+    const std::string out = folder / "out.png", asm_out = folder / "out.S", baked = folder / "out.lumi";
     const std::vector<std::pair<Arguments, std::string>> calls = {
         {{"render", folder / "damaged.lumi", "-o", out},
          "damaged.lumi: the texel section's bytes are damaged (CRC); copy the file again or bake it again"},
         {{"render", folder / "short.lumi", "-o", out}, "short.lumi: "},
         {{"render", folder / "none.lumi", "-o", out}, "none.lumi: cannot be read (No such file or directory); "},
-        {{"bake", folder / "none.obj", "-o", out}, "none.obj"},
-        {{"bake", folder / "bad.obj", "-o", out}, "bad.obj"},
+        {{"bake", folder / "none.obj", "-o", baked}, "none.obj"},
+        {{"bake", folder / "bad.obj", "-o", baked}, "bad.obj"},
         {{"reference", folder / "none.obj", "-o", out}, "none.obj"},
         {{"compare", folder / "small.png", folder / "large.png", "--error-picture", out}, "large.png: is 30x20 but "},
         {{"compare", folder / "tiny.png", folder / "tiny.png"}, "tiny.png: is 5x5"},
@@ -194,13 +196,12 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
         {{"inspect", folder / "damaged.lumi", "--verify"}, "damaged.lumi: the texel section"},
         {{"embed", folder / "damaged.lumi", "-o", asm_out}, "damaged.lumi: the texel section"},
     };
-    test::write_content(out, "earlier");
-    test::write_content(asm_out, "earlier");
+    const std::string earlier = "/* Written by `lumi embed`. */";
+    for (const std::string& file : {out, asm_out, baked}) test::write_content(file, earlier);
     const size_t entries = folder.entries();
     for (const auto& [call, hint] : calls) {
         check_refused(lumi(call), 1, Catch::StartsWith("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
-        CHECK(test::content_of(out) == "earlier");
-        CHECK(test::content_of(asm_out) == "earlier");
+        for (const std::string& file : {out, asm_out, baked}) CHECK(test::content_of(file) == earlier);
         CHECK(folder.entries() == entries);
     }
 }
@@ -240,18 +241,20 @@ TEST_CASE("an output in a folder that does not exist is refused before the work 
 TEST_CASE("Ctrl-C ends a bake or a reference with 130 and leaves earlier output untouched")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "o.png", "earlier");
     for (const char* command : {"bake", "reference"}) {
-        const Outcome outcome = test::lumi_interrupted({command, kScene, "-o", folder / "o.png", "--spp", "1000000"});
+        const bool bakes = std::string(command) == "bake";
+        const std::string output = folder / (bakes ? "o.lumi" : "o.png");
+        test::write_content(output, "earlier");
+        const Outcome outcome = test::lumi_interrupted({command, kScene, "-o", output, "--spp", "1000000"});
         INFO(command << ": " << outcome.err);
         CHECK(outcome.code == 130);
         CHECK_THAT(outcome.err, Catch::Contains("interrupted"));
-        CHECK(test::content_of(folder / "o.png") == "earlier");
-        const bool bakes = std::string(command) == "bake";
+        CHECK(test::content_of(output) == "earlier");
         CHECK_THAT(outcome.err,
-                   Catch::Contains(bakes ? "o.png.part keeps what is done" : "earlier output is untouched"));
-        std::filesystem::remove(folder / "o.png.part");
-        CHECK(folder.entries() == 1);
+                   Catch::Contains(bakes ? "o.lumi.part keeps what is done" : "earlier output is untouched"));
+        std::filesystem::remove(output + ".part");
+        std::filesystem::remove(output);
+        CHECK(folder.entries() == 0);
     }
 }
 

@@ -42,7 +42,7 @@ struct Workshop {
         write_content(folder / "sky.hdr", kSky);
         write_content(folder / "s.json", R"({"objects": [{"obj": "s.obj"}], "environment": {"picture": "sky.hdr"}})");
         write_content(folder / "rows.json", kRows);
-        for (const char* name : {"f.lumi", "e.S", "e.h", "v-000.png", "v-sheet.png"})
+        for (const char* name : {"f.lumi", "e.S", "h.h", "v-000.png", "v-sheet.png"})
             write_content(folder / name, test::field_bytes({}));
         write_png(folder / "t.png", Picture(4, 4));
         write_png(folder / "a.png", Picture(20, 20));
@@ -75,16 +75,14 @@ struct Workshop {
 
 private:
     using Links = std::vector<std::pair<std::string, std::string>>;
-    const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},   {"link.png", "t.png"},
-                          {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"}, {"two.h", "two.S"},
-                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."},
-                          {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},    {"sky.png", "sky.hdr"},
-                          {"field.png", "f.lumi"},    {"field.obj", "f.lumi"}};
-    const Links kHardLinks = {{"hard.mtl", "s.mtl"},
-                              {"hard.lumi", "f.lumi"},
-                              {"hard-mtl.png", "s.mtl"},
-                              {"hard-field.png", "f.lumi"},
-                              {"hard-field.obj", "f.lumi"}};
+    const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},     {"link.png", "t.png"},
+                          {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"},   {"two.h", "two.S"},
+                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},       {"deep", "."},
+                          {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},      {"sky.png", "sky.hdr"},
+                          {"field.png", "f.lumi"},    {"field.obj", "f.lumi"},   {"obj.html", "s.obj"},
+                          {"mtl.html", "s.mtl"},      {"texture.html", "t.png"}, {"field.html", "f.lumi"}};
+    const Links kHardLinks = {{"hard.mtl", "s.mtl"},        {"hard.lumi", "f.lumi"},      {"hard-mtl.png", "s.mtl"},
+                              {"hard-field.png", "f.lumi"}, {"hard-field.obj", "f.lumi"}, {"hard.html", "f.lumi"}};
 };
 
 // Checks `lumi CALL` in a workshop: it fails, names `file` and the mend, and leaves every file as it was.
@@ -151,7 +149,7 @@ TEST_CASE("own files: a clash ends a bake before its work begins")
     check_input_kept("bake s.obj -o x.lumi --fit 100kB --plan s.mtl" + endless, "s.mtl");
     check_twins_refused("bake s.obj -o x.lumi --fit 100kB --plan x.lumi" + endless, "x.lumi");
     check_input_kept("reference s.obj -o mtl.png --size 16x16 --sky studio" + endless, "mtl.png");
-    check_input_kept("report s.obj f.lumi -o t.png" + endless, "t.png");
+    check_input_kept("report s.obj f.lumi -o texture.html" + endless, "texture.html");
 }
 
 TEST_CASE("own files: merge keeps its shards")
@@ -209,37 +207,48 @@ TEST_CASE("own files: compare keeps both pictures and the mask")
 TEST_CASE("own files: report keeps scene and fields")
 {
     const std::string call = "report s.obj f.lumi --spp 1 --count 1";
-    for (const char* name : {"s.obj", "s.mtl", "t.png", "f.lumi", "hard.lumi"})
+    for (const char* name : {"obj.html", "mtl.html", "texture.html", "field.html", "hard.html"})
         check_input_kept(call + " -o " + name, name);
 }
 
 TEST_CASE("own files: embed keeps its field and does not write source and header to one file")
 {
     check_input_kept("embed e.S -o e.S", "e.S");
-    check_input_kept("embed e.h -o e.S", "e.h");
+    check_input_kept("embed h.h -o h.S", "h.h");
     check_twins_refused("embed f.lumi -o two.S", "two.h");
 }
 
-TEST_CASE("own files: no command replaces a model, though it does not read it, but what lumi wrote under such a name")
+TEST_CASE(
+    "own files: no command replaces other work, though it does not read it, but what lumi wrote under such a name")
 {
     const Workshop shop;
     REQUIRE(shop.run("bake s.obj -o surface.lumi" + kTinySurfaceBake).code == 0);
     REQUIRE(shop.run("bake s.json -o surface.lumi" + kTinySurfaceBake).code == 0);
     const std::string mesh = "inspect surface.lumi -o mesh.obj", flashed = "embed f.lumi -o f.bin",
-                      plan = "bake s.obj --layout surface --fit 100kB --plan-only --plan plan.json";
-    for (const std::string& call : {mesh, mesh, flashed, flashed, plan, plan}) CHECK(shop.run(call).code == 0);
-    for (const char* name : {"x.OBJ", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb", "x.bin"})
-        write_content(shop.folder / name, "a model");
+                      plan = "bake s.obj --layout surface --fit 100kB --plan-only --plan plan.json",
+                      source = "embed f.lumi -o own.c", odd = "bake s.obj -o odd.field" + kTinyBake;
+    for (const std::string& call : {mesh, mesh, flashed, flashed, plan, plan, source, source, odd, odd})
+        CHECK(shop.run(call).code == 0);
+    for (const char* name : {"x.OBJ", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb", "x.bin", "x.c",
+                             "x.cpp", "x.S", "x.blend", "noending"})
+        write_content(shop.folder / name, "other work");
+    write_png(shop.folder / "photo.png", Picture(4, 4));
     fs::create_symlink("x.glb", shop.folder / "link.html");
     const auto before = shop.entries();
     const std::pair<std::string, std::string> calls[] = {{"inspect surface.lumi -o s.obj", "s.obj"},
                                                          {"inspect surface.lumi -o x.OBJ", "x.OBJ"},
                                                          {"embed f.lumi -o x.bin", "x.bin"},
+                                                         {"embed f.lumi -o x.c", "x.c"},
+                                                         {"embed f.lumi -o x.cpp", "x.cpp"},
+                                                         {"embed f.lumi -o x.S", "x.S"},
                                                          {"view f.lumi -o link.html", "link.html"},
+                                                         {"view e.S -o field.html", "field.html"},
+                                                         {plan.substr(0, plan.rfind(' ')) + " f.lumi", "f.lumi"},
                                                          {plan.substr(0, plan.rfind(' ')) + " s.json", "s.json"}};
     for (const auto& [call, file] : calls)
-        check_refused(shop.run(call), 1, file + ": this is a file of a model, which lumi did not write");
-    for (const char* name : {"s.mtl", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb"})
+        check_refused(shop.run(call), 1, file + ": this holds other work, which the output would replace");
+    for (const char* name : {"s.mtl", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb", "x.blend",
+                             "noending", "photo.png"})
         CHECK(shop.run("bake s.obj -o " + std::string(name) + kTinyBake).code == 1);
     CHECK((shop.entries() == before));
 }

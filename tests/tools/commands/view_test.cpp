@@ -60,7 +60,7 @@ TEST_CASE("view names what is wrong with a call")
     CHECK(test::lumi({"view"}).code == 2);
     CHECK(view({"-o", folder() / "p.html", "--orbit", "30,20,9"}).code == 2);
     CHECK(view({"-o", folder() / "p.html", "--background", "red"}).code == 2);
-    CHECK(view({"-o", field()}).code == 1);
+    CHECK(view({"-o", field()}).code == 2);
     CHECK(test::lumi({"view", LUMI_TEST_SCENE, "-o", folder() / "p.html"}).code == 1);
     CHECK_FALSE(std::filesystem::exists(folder() / "p.html"));
 }
@@ -74,6 +74,7 @@ TEST_CASE("without -o and without xdg-open, view says how to write the page to a
     };
     check_refused(view_in(temporary.path()), 1, Catch::Contains("xdg-open") && Catch::Contains("-o view.html"));
     CHECK(temporary.entries() == 0);
+    check_refused(view_in(""), 1, Catch::Contains("xdg-open"));
     check_refused(view_in(temporary / "none"), 1,
                   Catch::Contains(temporary / "none: ") && Catch::Contains("; set TMPDIR to a folder"));
 }

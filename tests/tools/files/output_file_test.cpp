@@ -99,17 +99,17 @@ TEST_CASE("a pipe is written to, never replaced")
     CHECK(received == 'x');
     close(reader);
     CHECK(fs::is_fifo(pipe));
-    CHECK_THROWS_WITH(regular_target(pipe), Catch::Contains("name a file"));
+    CHECK_THROWS_WITH(field_target(pipe), Catch::Contains("name a file"));
 }
 
 TEST_CASE("what a rename must replace is the file itself or a link's target")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "target", "old");
+    test::write_content(folder / "target", "\x89LUMI\r\n\x1a");
     fs::create_symlink("target", folder / "link");
-    CHECK(fs::path(regular_target(folder / "link")).filename() == "target");
-    CHECK(fs::path(regular_target(folder / "new")).filename() == "new");
-    CHECK_THROWS_AS(regular_target(folder.path()), Failure);
+    CHECK(fs::path(field_target(folder / "link")).filename() == "target");
+    CHECK(fs::path(field_target(folder / "new")).filename() == "new");
+    CHECK_THROWS_AS(field_target(folder.path()), Failure);
 }
 
 }  // namespace lumi::tools

@@ -55,8 +55,7 @@ Output output_of(const BakeOptions& options)
     if (output.shard)
         output.name +=
             "." + std::to_string(output.shard->index) + "-of-" + std::to_string(output.shard->count) + ".shard";
-    output.target = regular_target(output.name);
-    announce_outputs({output.name});
+    output.target = field_target(output.name);
     baker::announce_outputs(baker::working_files_of(output.target));
     return output;
 }

@@ -136,8 +136,9 @@ void write_mesh(const InspectOptions& options, const FieldFile& file)
 void run(const InspectOptions& options)
 {
     announce_outputs({options.output});
+    std::optional<Waiting> waiting(std::in_place, "reading");
     const FieldFile file(options.field);
-    std::optional<Waiting> waiting(std::in_place, "drawing poses to time them");
+    waiting->now("drawing poses to time them");
     const std::string text = options.json ? json_of(options, file) : text_of(options, file);
     waiting.reset();
     print(stdout, "%s", text.c_str());

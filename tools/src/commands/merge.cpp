@@ -38,8 +38,7 @@ baker::MergedField merge(const MergeOptions& options, const std::string& target)
 
 void run(const MergeOptions& options)
 {
-    const std::string target = regular_target(options.output);
-    announce_outputs({options.output});
+    const std::string target = field_target(options.output);
     const baker::MergedField field = merge(options, target);
     const bool surface = field.origins == 0;
     const std::string rays =

@@ -185,7 +185,8 @@ void add_report(CLI::App& lumi)
                         "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "
                         "the cache");
     command->add_option("-o,--output", options->output, "Page to write: pictures and error maps, all in one file")
-        ->type_name("OUT.html");
+        ->type_name("OUT.html")
+        ->check(wrong_page_name);
     command->add_flag("--json", options->json, "Print all figures as JSON");
     add_pace_option(*command, options->paces,
                     "Weigh accuracy against speed and memory on these parts, and recommend what to take");

@@ -17,6 +17,7 @@
 #include "files/field_file.h"
 #include "files/output_file.h"
 #include "lumi/chord/render_spans.h"
+#include "program/option_checks.h"
 #include "quality/page.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
@@ -236,7 +237,8 @@ void add_view(CLI::App& lumi)
     command
         ->add_option("-o,--output", options->output,
                      "Page to write: one file that needs no network [a temporary one, opened by xdg-open]")
-        ->type_name("OUT.html");
+        ->type_name("OUT.html")
+        ->check(wrong_page_name);
     command->add_option("--title", options->title, "What the page calls the object [the field's name]")
         ->type_name("TEXT");
     add_start_options(*command, options->views);

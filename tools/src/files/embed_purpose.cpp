@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "files/output_file.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
 
@@ -16,7 +17,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr char kWritten[] = "/* Written by `lumi embed`.";
 constexpr char kServes[] = ". For ";
 
 // The endings of the outputs that one form of a header serves.
@@ -67,7 +67,7 @@ void require_same_purpose(const std::string& header, const std::string& output, 
     std::ifstream file(header);
     std::string first, old_purpose;
     if (!std::getline(file, first)) return;
-    if (first.rfind(kWritten, 0) != 0)
+    if (first.rfind(kSourceMark, 0) != 0)
         throw Failure(header, "`lumi embed` did not write it and would replace it",
                       "choose another name for " + output + ", or remove that header");
     std::getline(file, old_purpose);

@@ -53,44 +53,45 @@ fs::path resolved(const std::string& path)
     return baker::followed(path);
 }
 
-// How files begin that lumi writes under endings of models, scenes and their parts; nothing: it writes none.
-struct ModelEnding {
+const std::string_view kFieldMark(reinterpret_cast<const char*>(detail::format::kMagic), sizeof detail::format::kMagic);
+
+// How files begin that lumi writes under endings of other work: fields, programs, models, scenes and their parts;
+// nothing: it writes none. Fields and shards have their own way to disk (field_target).
+struct OtherWork {
     std::string_view ending, mark;
 };
-const ModelEnding kModelEndings[] = {
-    {".obj", kMeshMark},
-    {".json", "{\n  \"budget_bytes\""},  // a plan
-    {".bin", {reinterpret_cast<const char*>(detail::format::kMagic), sizeof detail::format::kMagic}},
-    {".mtl", ""},
-    {".gltf", ""},
-    {".glb", ""},
-    {".stl", ""},
-    {".ply", ""},
-    {".nii", ""},
-    {".gz", ""},
-    {".vdb", ""},
-    {".hdr", ""},
-    {".jpg", ""},
-    {".jpeg", ""}};
+const OtherWork kOtherWork[] = {{".obj", kMeshMark},  {".json", "{\n  \"budget_bytes\""},  // a plan
+                                {".bin", kFieldMark}, {".s", kSourceMark},
+                                {".c", kSourceMark},  {".cpp", kSourceMark},
+                                {".lumi", ""},        {".shard", ""},
+                                {".mtl", ""},         {".gltf", ""},
+                                {".glb", ""},         {".stl", ""},
+                                {".ply", ""},         {".nii", ""},
+                                {".gz", ""},          {".vdb", ""},
+                                {".hdr", ""},         {".jpg", ""},
+                                {".jpeg", ""}};
 
 // A mistyped output must not cost anybody's work. An empty file holds none.
-void require_no_model(const fs::path& path, const std::string& name)
+void require_begin(const fs::path& path, const std::string& name, std::string_view mark)
 {
-    const std::string ending = small_ending(path.string());
-    for (const ModelEnding& model : kModelEndings) {
-        if (ending != model.ending) continue;
-        std::string begin(std::max<size_t>(1, model.mark.size()), '\0');
-        std::ifstream file(path, std::ios::binary);
-        file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-        begin.resize(static_cast<size_t>(file.gcount()));
-        if (!begin.empty() && (model.mark.empty() || begin != model.mark))
-            throw Failure(name, "this is a file of a model, which lumi did not write and would replace",
-                          "choose another name for the output");
-    }
+    std::string begin(std::max<size_t>(1, mark.size()), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<size_t>(file.gcount()));
+    if (!begin.empty() && (mark.empty() || begin != mark))
+        throw Failure(name, "this holds other work, which the output would replace",
+                      "choose another name for the output");
 }
 
-// Whether an output may take the place of what is there; `name` leads to `path`.
-bool holds_earlier_output(const fs::path& path, const std::string& name)
+void require_no_other_work(const fs::path& path, const std::string& name)
+{
+    const std::string ending = small_ending(path.string());
+    for (const OtherWork& other : kOtherWork)
+        if (ending == other.ending) require_begin(path, name, other.mark);
+}
+
+// Whether a file is there or may be made, which an output may replace; no device and no pipe.
+bool is_file(const fs::path& path)
 {
     struct stat status = {};
     if (stat(path.c_str(), &status) != 0) {
@@ -98,8 +99,15 @@ bool holds_earlier_output(const fs::path& path, const std::string& name)
         return true;
     }
     if (S_ISDIR(status.st_mode)) fail(path.string(), EISDIR);
-    if (S_ISREG(status.st_mode)) require_no_model(path, name);
     return S_ISREG(status.st_mode);
+}
+
+// Whether an output may take the place of what is there; `name` leads to `path`.
+bool holds_earlier_output(const fs::path& path, const std::string& name)
+{
+    if (!is_file(path)) return false;
+    require_no_other_work(path, name);
+    return true;
 }
 
 // Returns 0 or an errno.
@@ -219,21 +227,34 @@ void write_output(const std::string& path, std::string_view bytes)
     write_outputs({{path, bytes}});
 }
 
-std::string regular_target(const std::string& path)
+namespace
+{
+
+void try_beside(const fs::path& target)
+{
+    int descriptor = -1;
+    const std::string temporary = create_beside(target, descriptor);
+    close(descriptor);
+    unlink(temporary.c_str());
+}
+
+}  // namespace
+
+std::string field_target(const std::string& path)
 {
     const fs::path target = resolved(path);
-    if (!holds_earlier_output(target, path)) throw Failure(path, "is a device or a pipe", "name a file");
+    if (!is_file(target)) throw Failure(path, "is a device or a pipe", "name a file");
+    const std::string ending = small_ending(target.string());
+    if (ending != ".lumi" && ending != ".shard") require_begin(target, path, kFieldMark);
+    baker::announce_outputs({path});
+    try_beside(target);
     return target.string();
 }
 
 void require_writable(const std::string& path)
 {
     const fs::path target = resolved(path);
-    if (!holds_earlier_output(target, path)) return;
-    int descriptor = -1;
-    const std::string temporary = create_beside(target, descriptor);
-    close(descriptor);
-    unlink(temporary.c_str());
+    if (holds_earlier_output(target, path)) try_beside(target);
 }
 
 void announce_outputs(const std::vector<std::string>& paths)

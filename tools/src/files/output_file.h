@@ -11,8 +11,9 @@
 namespace lumi::tools
 {
 
-// The mesh of a field begins with it.
-inline constexpr std::string_view kMeshMark = "# the mesh of a LumiPath field";
+// How the mesh of a field begins, and what embeds one.
+inline constexpr std::string_view kMeshMark = "# the mesh of a LumiPath field",
+                                  kSourceMark = "/* Written by `lumi embed`.";
 
 struct Output {
     std::string path;
@@ -45,15 +46,16 @@ private:
 // Writes all or none, by an OutputSet.
 void write_outputs(const std::vector<Output>& outputs);
 
-// Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, also where a model stands there that lumi
-// did not write; FileClash where `path` is a file that the command has read (lumi/baker/file_guard.h). A symbolic link
-// is followed; devices and pipes are written straight to, since they hold no earlier output. Readers never see half a
-// file.
+// Replaces `path` by `bytes`, or throws and leaves what stood there: Failure, also where a field stands there, or a
+// model or a program that lumi did not write; FileClash where `path` is a file that the command has read
+// (lumi/baker/file_guard.h). A symbolic link is followed; devices and pipes are written straight to, since they hold no
+// earlier output. Readers never see half a file.
 void write_output(const std::string& path, std::string_view bytes);
 
-// The file that a rename over `path` must replace: `path`, or the target of a link. Throws Failure for a folder, a
-// device or a pipe, which a rename would destroy.
-std::string regular_target(const std::string& path);
+// The file that a field or a shard replaces by a rename: `path`, or the target of a link. Announces it. Throws Failure
+// for a folder, a device or a pipe, which a rename would destroy, and for other work under another ending than theirs;
+// FileClash as announce_outputs does.
+std::string field_target(const std::string& path);
 
 // Throws Failure now if write_output(path, …) could not work later: worth asking before minutes of work.
 void require_writable(const std::string& path);

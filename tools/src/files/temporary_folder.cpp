@@ -12,12 +12,11 @@ namespace lumi::tools
 
 std::filesystem::path new_temporary_folder(const std::string& mend)
 {
-    std::error_code missing;
-    const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
-    if (missing) {
-        const char* const named = std::getenv("TMPDIR");
-        throw Failure(named == nullptr ? "/tmp" : named, "is no folder for temporary files", mend);
-    }
+    const char* const named = std::getenv("TMPDIR");  // an empty one is none, as for mktemp(1)
+    const std::filesystem::path parent = named == nullptr || *named == 0 ? "/tmp" : named;
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(parent, ignored))
+        throw Failure(parent.string(), "is no folder for temporary files", mend);
     std::string pattern = (parent / "lumi-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr)
         throw Failure(parent.string(), std::string("takes no temporary folder (") + std::strerror(errno) + ")", mend);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <optional>
 
@@ -91,6 +92,17 @@ WordCheck one_of(const std::vector<int>& numbers)
         const bool is_known = value && std::find(numbers.begin(), numbers.end(), *value) != numbers.end();
         return is_known ? "" : "takes " + listed + not_this(word);
     };
+}
+
+std::string wrong_page_name(const std::string& word)
+{
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(word, ignored);
+    const std::string ending = small_ending(word);
+    if (ending == ".html" || ending == ".htm" || std::filesystem::is_character_file(status) ||
+        std::filesystem::is_fifo(status))
+        return "";
+    return "takes a page (.html)" + not_this(word);
 }
 
 void require_plain_words(CLI::App& app)

@@ -23,6 +23,9 @@ WordCheck number(double least, double most);
 WordCheck any_number();
 WordCheck one_of(const std::vector<int>& numbers);
 
+// The word is the name of a page, or of a device or a pipe.
+std::string wrong_page_name(const std::string& word);
+
 // The most light paths for a texel or a pixel, and the most threads, that options take.
 constexpr uint64_t kMostPaths = uint64_t{1} << 24;
 constexpr uint64_t kMostThreads = 1024;
