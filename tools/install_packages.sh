@@ -39,6 +39,7 @@ test_packages=(
 all_packages=(
   clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
+  blender                # its export, beside Cycles
   chromium)              # the page of `lumi view`
 # Each with the hash of its archive; they go to build/npm.
 npm_packages=(  # for tests: an emulator of the RP2040
