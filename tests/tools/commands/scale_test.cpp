@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "image/picture_file.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"
@@ -60,15 +61,15 @@ Outcome lumi_with(const std::string& fault, const Arguments& arguments)
     return test::run_program(joined({"env", "LD_PRELOAD=" LUMI_FAULT_SHIM, fault, LUMI_PROGRAM}, arguments));
 }
 
-// How often the program itself writes to files.
-int writes_of(const Arguments& arguments)
+// How often the program itself does that with files.
+int calls_of(const std::string& wanted, const Arguments& arguments)
 {
     const test::TemporaryFolder folder;
     REQUIRE(lumi_with("LUMI_FAULT_COUNT=" + (folder / "counts"), arguments).code == 0);
     std::istringstream counts(content_of(folder / "counts"));
     std::string kind;
     int count = 0;
-    while (counts >> kind >> count && kind != "write") continue;
+    while (counts >> kind >> count && kind != wanted) continue;
     return count;
 }
 
@@ -93,11 +94,44 @@ TEST_CASE("a scene that takes long to load is told of")
     CHECK_THAT(lumi_with("LUMI_FAULT=read:1:wait", call).err, Catch::Contains("loading the scene  0:02"));
 }
 
+TEST_CASE("every command tells of a file that takes long to be read")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "f.lumi", test::small_surface_bytes());
+    write_png(folder / "a.png", Picture(16, 16));
+    const std::string shard =
+        "bake '" + std::string(kScene) + "' -o s.lumi --origins 8 --directions 8 --spp 1 --shard ";
+    const std::string calls[] = {"compare a.png a.png",
+                                 "embed f.lumi -o f.S",
+                                 "inspect f.lumi",
+                                 "render f.lumi -o r.png --size 8x8",
+                                 "merge s.lumi.1-of-1.shard -o m.lumi",
+                                 "report '" + std::string(kScene) + "' f.lumi --count 1 --size 16 --spp 1"};
+    std::string script = "cd '" + folder.path() + "' && " LUMI_PROGRAM " " + shard +
+                         "1/1 && export LD_PRELOAD=" LUMI_FAULT_SHIM " LUMI_FAULT=read:1:wait; ";
+    for (size_t k = 0; k < std::size(calls); ++k)
+        script += LUMI_PROGRAM " " + calls[k] + " >/dev/null 2>" + std::to_string(k) + ".txt & ";
+    done(test::run_program({"sh", "-c", script + "wait"}));  // all of them at once
+    for (size_t k = 0; k < std::size(calls); ++k) {
+        INFO(calls[k]);
+        CHECK_THAT(content_of(folder / (std::to_string(k) + ".txt")), Catch::Contains("  0:02"));
+    }
+}
+
+TEST_CASE("a bake tells of its last work, too, where that takes long")
+{
+    const test::TemporaryFolder folder;
+    const Arguments bake = {"bake", kScene,         "-o", folder / "o.lumi", "--origins",
+                            "8",    "--directions", "8",  "--spp",           "1"};
+    const std::string last = "LUMI_FAULT=read:" + std::to_string(calls_of("read", bake)) + ":wait";
+    CHECK_THAT(lumi_with(last, bake).err, Catch::Contains("drawing poses to time them  0:02"));
+}
+
 TEST_CASE("a bake that was killed ten times before random writes is bit-identical to an undisturbed one")
 {
     const test::TemporaryFolder folder;
     const std::string whole = folder / "whole.lumi", killed = folder / "killed.lumi";
-    const int writes = writes_of(long_bake(whole));
+    const int writes = calls_of("write", long_bake(whole));
     REQUIRE(writes > 160);
     test::write_content(killed, "earlier");
     std::mt19937 random(5);

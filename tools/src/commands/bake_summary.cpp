@@ -118,6 +118,7 @@ std::string next_line(const std::string& field)
 std::string device_lines(const BakeSummary& summary)
 {
     if (summary.is_shard) return "";
+    const Waiting waiting("drawing poses to time them");
     const FieldFile field(summary.file, FieldFile::Role::own_output);
     std::vector<planner::Pace> paces = summary.options.fit.paces;
     if (paces.empty()) paces = {planner::parse_pace("rp2040").value()};

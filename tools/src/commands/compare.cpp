@@ -127,7 +127,6 @@ std::optional<MaskedLikeness> masked_likeness(const CompareOptions& options, con
 
 Likeness likeness_of(const CompareOptions& options, const Picture& a, const Picture& b)
 {
-    const Waiting waiting("comparing");
     const LeaveAtOnce leaving;
     return {psnr_db(a, b), ssim(a, b), cw_ssim(a, b), flip(b, a, options.pixels_per_degree)};
 }
@@ -135,12 +134,14 @@ Likeness likeness_of(const CompareOptions& options, const Picture& a, const Pict
 void run(const CompareOptions& options)
 {
     announce_outputs({options.error_picture});
+    std::optional<Waiting> waiting(std::in_place, "comparing");
     const Picture a = read_png(options.a), b = read_png(options.b);
     require_comparable(options, a, b);
     if (options.mask.empty()) warn_of_backgrounds(options, a, b);
     const std::optional<MaskedLikeness> masked = masked_likeness(options, a, b);
     const Likeness likeness = likeness_of(options, a, b);
     if (!options.error_picture.empty()) write_png(options.error_picture, error_picture(a, b));
+    waiting.reset();
     (options.json ? print_likeness : print_text)(likeness, masked);
     const double psnr = masked ? masked->psnr_db : likeness.psnr_db;
     if (psnr >= options.least_psnr_db) return;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands/commands.h"
 #include "files/embed.h"
@@ -14,6 +15,7 @@
 #include "files/output_file.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -145,6 +147,7 @@ void run(const EmbedOptions& options)
     check_options(options, kind);
     const std::string header = std::filesystem::path(options.output).replace_extension(".h").string();
     announce_outputs({options.output, header});
+    std::optional<Waiting> waiting(std::in_place, "embedding");
     const FieldFile field(options.field);
     field.require_intact();
     const std::optional<uint32_t> address = address_of(options, field.size());
@@ -154,6 +157,7 @@ void run(const EmbedOptions& options)
     require_same_purpose(header, options.output, purpose);
     const std::string declarations = embed_header(name.symbol, kind, field, address, purpose);
     write_outputs({{options.output, source}, {header, declarations}});
+    waiting.reset();
     print(stdout, "%s, %s: symbol %s, %zu bytes\n", options.output.c_str(), header.c_str(), name.symbol.c_str(),
           field.size());
 }

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "files/output_file.h"
 #include "terminal/failure.h"
+#include "terminal/progress_printer.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -23,6 +24,7 @@ struct MergeOptions {
 
 baker::MergedField merge(const MergeOptions& options, const std::string& target)
 {
+    const Waiting waiting("joining shards");
     try {
         return baker::merge_shards(
             {options.shards.begin(), options.shards.end()}, target,

@@ -86,12 +86,12 @@ using Stages = std::vector<std::shared_ptr<PictureStage>>;
 
 void run(const RenderOptions& options, const Stages& stages)
 {
+    std::optional<Waiting> waiting(std::in_place, "reading");
     const FieldFile file(options.field);
     file.require_intact();
     Drawer drawer = file.is_surface() ? surface_drawer(options, file) : chord_drawer(options, file);
     for (const auto& stage : stages) drawer = stage->changed(options, file, drawer);
     const int views = std::max(1, options.views.turntable);
-    std::optional<Waiting> waiting(std::in_place, "reading");
     const Eye* drawn = nullptr;
     int view = 0;
     const Drawer told = [&](const Eye& eye, const Rgb8& background) {

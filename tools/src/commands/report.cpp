@@ -68,6 +68,7 @@ std::vector<quality::DrawMode> modes_of(const ReportOptions& options)
 // Opened before anything is traced, so that a wrong file costs no time.
 trade::Files open_all(const std::vector<std::string>& paths, FieldFile::Role role)
 {
+    const Waiting waiting("reading fields");
     trade::Files files;
     for (const std::string& path : paths) {
         files.push_back(std::make_unique<FieldFile>(path, role));
@@ -111,6 +112,7 @@ void tell_quality(const ReportOptions& options, const quality::ReportData& repor
         for (const auto& field : fields) text += field->path() + ": " + device_text(*field);
     }
     print(stdout, "%s", text.c_str());
+    const Waiting waiting("making the page");
     if (!options.output.empty()) write_output(options.output, page_of(report));
 }
 
@@ -119,6 +121,7 @@ void tell_trade(const ReportOptions& options, const quality::ReportData& report,
     const std::string text =
         options.json ? with_trade(json_of(report), trade) : text_of(trade) + "\n" + text_of(report);
     print(stdout, "%s", text.c_str());
+    const Waiting waiting("making the page");
     if (!options.output.empty()) write_output(options.output, page_of(report, lead_of(trade, report)));
 }
 

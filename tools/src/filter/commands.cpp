@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 #include "commands/scene_options.h"
 #include "draw/draw_surface.h"
@@ -125,10 +126,12 @@ void run(FilterOptions& options)
     const auto trainer = module.trainer(weights.input_planes, options.lessons.seed);
     filter::TrainingResult result = trained(options, *trainer, lessons);
     trainer->set_numbers(result.numbers);
+    std::optional<Waiting> waiting(std::in_place, "judging the filter");
     const filter::Verdict verdict = filter::verdict_on(result.gains ? trainer.get() : nullptr, lessons.test);
     weights.gains = result.gains;
     weights.numbers = result.numbers;
     write_output(options.output, filter::encode(weights));
+    waiting.reset();
     print_result(options, result, verdict);
 }
 
@@ -220,7 +223,10 @@ void judge(const JudgeOptions& options)
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
     require_of_scene(field, scene, options.scene.path);
-    const filter::Verdict verdict = filter::verdict_on(network.get(), trial_of(options, field, scene));
+    const filter::Trial trial = trial_of(options, field, scene);
+    std::optional<Waiting> waiting(std::in_place, "judging the filter");
+    const filter::Verdict verdict = filter::verdict_on(network.get(), trial);
+    waiting.reset();
     print(stdout, "%s", (options.json ? filter::json_of(verdict) : text_of(verdict)).c_str());
 }
 
