@@ -28,6 +28,7 @@ TABLES = {
         "glance", "cost", "split", "parts", "surface_cost", "surface_split", "baselines")},
     "quality": trade.quality,
     "quality first": trade.first_table,
+    "beside": trade.beside,
     "quality readme": trade.readme_table,
     "trade clock": lambda: trade.front("clock"),
     "trade volume": lambda: trade.front("volume"),

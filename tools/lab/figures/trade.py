@@ -63,8 +63,14 @@ def first_table():
     return Table(["mode", "flash", "RAM", "likeness", *CHIPS.values()],
                  [[row["mode"], byte_text(row["flash_bytes"], 1), f"{decimal(row['ram_bytes'] / 1e3, 0)} kB",
                    f"{decimal(row['psnr_db'])} dB",
-                   *(whole(row["parts"][chip][0]) for chip in CHIPS)]
+                   *("{} ({})".format(*map(whole, row["parts"][chip][:2])) for chip in CHIPS)]
                   for row in clock_rows({"surface": "antialiased", "chord": None})])
+
+
+def beside():
+    """Instructions a covered pixel of another renderer, which was measured once, by hand."""
+    return Table.of(["renderer", "with an FPU", "Cortex-M0+"], load("once")["renderers"],
+                    lambda row: [row["renderer"], row["fpu"], row["m0plus"]])
 
 
 def readme_table():
