@@ -209,7 +209,8 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
 TEST_CASE("an old guided field is refused by every command, with what to do")
 {
     const test::TemporaryFolder folder;
-    test::write_content(folder / "g.lumi", test::guided_bytes());
+    test::write_content(folder / "g.lumi",
+                        test::text_of({{detail::format::four_cc('G', 'U', 'I', 'D'), 1, lumi::test::Bytes(44, 1)}}));
     const std::string field = folder / "g.lumi";
     const std::vector<Arguments> calls = {{"render", field, "-o", folder / "o.png"},
                                           {"inspect", field},

@@ -85,11 +85,9 @@ TEST_CASE("what a stranger wrote into a field commands no terminal")
 {
     const test::TemporaryFolder folder;
     const auto clear_screen = detail::format::four_cc('\x1b', '[', '2', 'J');
-    const test::TestField field;
-    test::write_content(folder / "f.lumi",
-                        test::file_bytes({{detail::format::kLayoutSection, test::layout_bytes(field)},
-                                          {detail::format::kTexelSection, test::texel_bytes(field)},
-                                          {clear_screen, "four", false}}));
+    auto sections = test::field_sections({});
+    sections.push_back({clear_screen, 0, {'f', 'o', 'u', 'r'}});
+    test::write_content(folder / "f.lumi", test::text_of(sections));
     const Outcome text = lumi({"inspect", folder / "f.lumi"}), json = lumi({"inspect", folder / "f.lumi", "--json"});
     CHECK_THAT(text.out, Catch::Contains("?[2J") && !Catch::Contains("\x1b"));
     CHECK_THAT(json.out, Catch::Contains("\\u001b[2J") && !Catch::Contains("\x1b"));
