@@ -97,7 +97,6 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {{"report", kScene, field, "--mode", ","}, "--mode takes no empty word"},
         {{"bake"}, "SCENE is missing"},
         {{"inspect", field, "other"}, "there is no place for the argument \"other\""},
-        {{"inspect", field, "--up", "z"}, "--up needs --output beside it"},
         {{"render", field, "-o", png, "--pose", "p", "--orbit", "1,2,3"}, "leave one of them out"},
         {{"filter", "frob"}, "there is no subcommand \"frob\""},
         {{"render", field, "-o", png + "/"}, "--output takes a file, not the folder \""},

@@ -75,14 +75,17 @@ struct Workshop {
 
 private:
     using Links = std::vector<std::pair<std::string, std::string>>;
-    const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},     {"link.png", "t.png"},
-                          {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"},   {"two.h", "two.S"},
-                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},       {"deep", "."},
-                          {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},      {"sky.png", "sky.hdr"},
-                          {"field.png", "f.lumi"},    {"field.obj", "f.lumi"},   {"obj.html", "s.obj"},
-                          {"mtl.html", "s.mtl"},      {"texture.html", "t.png"}, {"field.html", "f.lumi"}};
-    const Links kHardLinks = {{"hard.mtl", "s.mtl"},        {"hard.lumi", "f.lumi"},      {"hard-mtl.png", "s.mtl"},
-                              {"hard-field.png", "f.lumi"}, {"hard-field.obj", "f.lumi"}, {"hard.html", "f.lumi"}};
+    const Links kLinks = {{"link.obj", "s.obj"},      {"link.mtl", "s.mtl"},   {"link.png", "t.png"},
+                          {"link.lumi", "f.lumi"},    {"link-a.png", "a.png"}, {"two.h", "two.S"},
+                          {"q-001.png", "q-000.png"}, {"z.part", "s.mtl"},     {"deep", "."},
+                          {"obj.png", "s.obj"},       {"mtl.png", "s.mtl"},    {"sky.png", "sky.hdr"},
+                          {"field.png", "f.lumi"},    {"obj.html", "s.obj"},   {"mtl.html", "s.mtl"},
+                          {"texture.html", "t.png"},  {"field.html", "f.lumi"}};
+    const Links kHardLinks = {{"hard.mtl", "s.mtl"},
+                              {"hard.lumi", "f.lumi"},
+                              {"hard-mtl.png", "s.mtl"},
+                              {"hard-field.png", "f.lumi"},
+                              {"hard.html", "f.lumi"}};
 };
 
 // Checks `lumi CALL` in a workshop: it fails, names `file` and the mend, and leaves every file as it was.
@@ -183,12 +186,6 @@ TEST_CASE("own files: render keeps its field, also from views and the sheet of a
     check_twins_refused("render f.lumi --size 16x16 --turntable 2 -o q.png", "q-001.png");
 }
 
-TEST_CASE("own files: inspect keeps its field")
-{
-    for (const char* name : {"field.obj", "hard-field.obj"})
-        check_input_kept("inspect f.lumi -o " + std::string(name), name);
-}
-
 TEST_CASE("own files: reference keeps every file of its scene, also from a turntable")
 {
     for (const char* name : {"obj.png", "mtl.png", "t.png", "hard-mtl.png"})
@@ -224,10 +221,10 @@ TEST_CASE(
     const Workshop shop;
     REQUIRE(shop.run("bake s.obj -o surface.lumi" + kTinySurfaceBake).code == 0);
     REQUIRE(shop.run("bake s.json -o surface.lumi" + kTinySurfaceBake).code == 0);
-    const std::string mesh = "inspect surface.lumi -o mesh.obj", flashed = "embed f.lumi -o f.bin",
+    const std::string flashed = "embed f.lumi -o f.bin",
                       plan = "bake s.obj --layout surface --fit 100kB --plan-only --plan plan.json",
                       source = "embed f.lumi -o own.c", odd = "bake s.obj -o odd.field" + kTinyBake;
-    for (const std::string& call : {mesh, mesh, flashed, flashed, plan, plan, source, source, odd, odd})
+    for (const std::string& call : {flashed, flashed, plan, plan, source, source, odd, odd})
         CHECK(shop.run(call).code == 0);
     for (const char* name : {"x.OBJ", "x.gltf", "x.glb", "x.stl", "x.ply", "x.nii", "x.nii.gz", "x.vdb", "x.bin", "x.c",
                              "x.cpp", "x.S", "x.blend", "noending"})
@@ -235,8 +232,7 @@ TEST_CASE(
     write_png(shop.folder / "photo.png", Picture(4, 4));
     fs::create_symlink("x.glb", shop.folder / "link.html");
     const auto before = shop.entries();
-    const std::pair<std::string, std::string> calls[] = {{"inspect surface.lumi -o s.obj", "s.obj"},
-                                                         {"inspect surface.lumi -o x.OBJ", "x.OBJ"},
+    const std::pair<std::string, std::string> calls[] = {{"bake s.obj -o x.OBJ" + kTinyBake, "x.OBJ"},
                                                          {"embed f.lumi -o x.bin", "x.bin"},
                                                          {"embed f.lumi -o x.c", "x.c"},
                                                          {"embed f.lumi -o x.cpp", "x.cpp"},

@@ -60,7 +60,7 @@ const std::string_view kFieldMark(reinterpret_cast<const char*>(detail::format::
 struct OtherWork {
     std::string_view ending, mark;
 };
-const OtherWork kOtherWork[] = {{".obj", kMeshMark},  {".json", "{\n  \"budget_bytes\""},  // a plan
+const OtherWork kOtherWork[] = {{".obj", ""},         {".json", "{\n  \"budget_bytes\""},  // a plan
                                 {".bin", kFieldMark}, {".s", kSourceMark},
                                 {".c", kSourceMark},  {".cpp", kSourceMark},
                                 {".lumi", ""},        {".shard", ""},

@@ -11,9 +11,8 @@
 namespace lumi::tools
 {
 
-// How the mesh of a field begins, and what embeds one.
-inline constexpr std::string_view kMeshMark = "# the mesh of a LumiPath field",
-                                  kSourceMark = "/* Written by `lumi embed`.";
+// How a file begins that embeds a field.
+inline constexpr std::string_view kSourceMark = "/* Written by `lumi embed`.";
 
 struct Output {
     std::string path;
