@@ -11,7 +11,6 @@
 #include "simulator.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
 int firmware_main();  // main() of platform/pico_st7789

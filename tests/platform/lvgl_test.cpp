@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The image decoder of platform/lvgl against a double of LVGL, which is driven as LVGL drives decoders.
 #include <catch2/catch.hpp>
-#include <vector>
 
 #include "lumi/surface/view.h"
 #include "lv_lumi_image.h"

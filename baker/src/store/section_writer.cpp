@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "store/section_writer.h"
 
-#include <algorithm>
-
 #include "lumi/detail/crc32.h"
 
 namespace lumi::baker

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Frames drawn by the calls of lumi.h from C99, of every kind of field that the build draws: the bits of C++ views.
-#include <string>
 
 #include "c/views.h"
 #include "lumi/attitude.h"

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "lattice/directions.h"

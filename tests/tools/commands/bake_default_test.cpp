@@ -2,7 +2,6 @@
 // `lumi bake` chooses these where the user does not.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>

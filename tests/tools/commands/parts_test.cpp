@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "image/picture_file.h"
-#include "lumi/host/png.h"
 #include "metrics/psnr.h"
 #include "support/program.h"
 #include "support/small_surface.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The options that say how a scene is lit and how it stands.
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "image/picture_file.h"

@@ -2,8 +2,6 @@
 #include "draw/views.h"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <filesystem>
 
 #include "image/picture_file.h"
 #include "support/temporary_folder.h"

@@ -8,7 +8,6 @@
 #include "files/field_report.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
-#include "terminal/failure.h"
 
 namespace lumi::tools
 {

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "draw/draw_surface.h"
-#include "image/picture_file.h"
 #include "metrics/psnr.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

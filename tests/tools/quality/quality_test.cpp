@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The measuring half of `lumi report`.
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "image/picture_file.h"
 #include "lumi/baker/chord.h"
 #include "lumi/detail/lattice.h"
 #include "lumi/twin/geometry.h"

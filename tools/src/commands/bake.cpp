@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // lumi bake: from a scene to a field file.
-#include <cstdio>
 #include <memory>
 
 #include "../planner/chord_plan.h"

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
-#include <system_error>
 
 #include "../planner/chord_plan.h"
 #include "../quality/measured.h"
@@ -214,11 +213,6 @@ std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker
     if (!plan.against.empty()) warnings.push_back(plan.against + enough_text(plan, "; --layout chord shows all of it"));
     return warnings;
 }
-
-}  // namespace
-
-namespace
-{
 
 // What a machine with two idle cores does, in light paths a second or work that takes as long. It decides how evenly a
 // bake's share moves until its light shows a pace.

@@ -11,7 +11,6 @@
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "image/animation.h"
-#include "image/picture_file.h"
 #include "lumi/chord/render_spans.h"
 #include "program/option_checks.h"
 #include "program/plugin.h"

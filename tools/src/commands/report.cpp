@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // lumi report: how good fields look, measured from views that no bake has aimed at.
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "image/picture_file.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <sstream>
-#include <vector>
 
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"

@@ -168,11 +168,6 @@ static inline size_t @SYMBOL@_size(void)
     return {};
 }
 
-}  // namespace
-
-namespace
-{
-
 // `count`: shadows of parts take memory, too.
 std::string enum_of_parts(const std::vector<std::string>& names, uint32_t count)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/gltf/container.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>

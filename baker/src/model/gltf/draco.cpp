@@ -2,10 +2,8 @@
 #include <draco/compression/decode.h>
 
 #include <cstring>
-#include <limits>
 #include <new>
 
-#include "model/gltf/accessor.h"
 #include "model/gltf/decompress.h"
 
 namespace lumi::baker

@@ -3,8 +3,6 @@
 
 #include <tiny_gltf.h>
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "lumi/baker/scene.h"
 #include "model/gltf/container.h"

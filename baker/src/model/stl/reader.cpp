@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/readers.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 
 #include "lumi/chord/detail/sphere.h"
 #include "metrics/psnr.h"

@@ -3,7 +3,6 @@
 // reading texels. Processor time of one core, so other programs count little.
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <ctime>
 #include <stdexcept>
 #include <vector>

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <random>
 
 #include "lumi/chord/render_spans.h"
