@@ -4,6 +4,7 @@
 // emulator has loaded a field of the build's kind, and one of the other kind a MiB later. With the argument "wild" the
 // program reads behind the guarded memory itself.
 #include <cstring>
+#include <initializer_list>
 
 #include "guarded_memory.h"
 #include "lumi/attitude.h"

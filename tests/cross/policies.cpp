@@ -3,6 +3,7 @@
 // firmware calls, for tests that read symbols and stack sizes. Never run. LUMI_POLICIES says which combinations: `all`;
 // `pairs`: any two choices meet in one of them; `each`: every reconstruction is in one.
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "lumi/chord/render_spans.h"

@@ -2,20 +2,73 @@
 // lumi_make_test_fields FOLDER: writes one small field per texel format, FOLDER/rgb888.lumi and so on,
 // and surface fields, FOLDER/surface.lumi, FOLDER/sheet.lumi and, with parts that move, FOLDER/moving.lumi.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 
 #include "chord/field_writer.h"
 #include "lumi/chord/texel.h"
+#include "lumi/detail/lattice.h"
 #include "surface/parts_bytes.h"
 #include "surface/surface_bytes.h"
-#include "synthetic_ray.h"
 
 namespace
 {
 
 using namespace lumi;
 using namespace lumi::detail;
+
+constexpr double kBallRadius = 0.6;
+constexpr double kSolidRadius = 0.5;  // rays that pass further out see the half-transparent rim
+constexpr int kChequersPerRadius = 4;
+constexpr uint8_t kRimCoverage = 128;
+
+// A scene in closed form: a chequered ball of half the sphere's radius with a half-transparent rim. Every texel is
+// known at once, so that tests of the renderer on boards need no path tracing.
+struct Vec3 {
+    double x, y, z;
+};
+
+Vec3 from_q30(const Vec3q30& v)
+{
+    return {static_cast<double>(v.x) / kOneQ30, static_cast<double>(v.y) / kOneQ30, static_cast<double>(v.z) / kOneQ30};
+}
+
+double dot(const Vec3& a, const Vec3& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Vec3 along(const Vec3& start, const Vec3& step, double t)
+{
+    return {start.x + t * step.x, start.y + t * step.y, start.z + t * step.z};
+}
+
+// Position as colour, darkened on every other cube of a chequerboard; black occurs.
+Rgba8 shade(const Vec3& hit, uint8_t coverage)
+{
+    const auto cell = [](double v) { return static_cast<int>(std::floor(v * kChequersPerRadius)); };
+    const bool dark = ((cell(hit.x) + cell(hit.y) + cell(hit.z)) & 1) != 0;
+    const double scale = (dark ? 0.0 : 1.0) * coverage;
+    const auto channel = [&](double v) { return static_cast<uint8_t>((v / kBallRadius + 1) / 2 * scale); };
+    return {channel(hit.x), channel(hit.y), channel(hit.z), coverage};
+}
+
+// Premultiplied colour with coverage of the ray from `origin` to `target` on the unit sphere.
+Rgba8 synthetic_ray(const Vec3q30& origin, const Vec3q30& target)
+{
+    const Vec3 start = from_q30(origin);
+    const Vec3 end = from_q30(target);
+    const Vec3 step = {end.x - start.x, end.y - start.y, end.z - start.z};
+    const double length2 = dot(step, step);
+    const double middle = -dot(start, step) / length2;  // both ends lie on the unit sphere: 1/2, but for rounding
+    const Vec3 closest = along(start, step, middle);
+    const double closest2 = dot(closest, closest);
+    if (!(length2 > 0) || closest2 > kBallRadius * kBallRadius) return {};
+    const double half_chord = std::sqrt((kBallRadius * kBallRadius - closest2) / length2);
+    const bool solid = closest2 <= kSolidRadius * kSolidRadius;
+    return shade(along(start, step, middle - half_chord), solid ? 255 : kRimCoverage);
+}
 
 constexpr uint32_t kOrigins = 128;
 constexpr uint32_t kUsedOrigins = 120;  // a cap: rows that are not there count as misses
@@ -29,7 +82,7 @@ std::vector<Rgba8> trace()
     std::vector<Rgba8> texels;
     for (uint32_t i = 0; i < kUsedOrigins; ++i)
         for (uint32_t j = 0; j < kDirections; ++j)
-            texels.push_back(test::synthetic_ray(point(origins, i), point(directions, j)));
+            texels.push_back(synthetic_ray(point(origins, i), point(directions, j)));
     return texels;
 }
 
