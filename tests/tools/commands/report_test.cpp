@@ -127,14 +127,16 @@ TEST_CASE("report --for recommends for every part a row of its front, and names 
     CHECK_THAT(fields.report({"--for", "rp2040"}).out, Catch::StartsWith("RP2040 at 10"));
 }
 
-TEST_CASE("report --for without fields bakes a ladder, and takes what an earlier call has baked")
+TEST_CASE("report --for without fields takes of its ladder what an earlier call has baked, and bakes the others")
 {
     const Fields fields;
     const std::filesystem::path cache = fields.folder / "cache";
     REQUIRE(fields.report({"--for", "rp2040"}).code == 0);  // makes the folder of the scene
     const std::filesystem::path kept = *std::filesystem::directory_iterator(cache);
-    for (const char* size : {"120kB", "250kB", "500kB"})
-        std::filesystem::copy(fields.surface, kept / ("surface-" + std::string(size) + "-12paths.lumi"));
+    std::filesystem::copy(fields.surface, kept / "surface-120kB-12paths.lumi");
+    const std::string foreign = test::content_of(fields.chord);
+    test::write_content(kept / "surface-250kB-12paths.lumi", foreign);
+    std::filesystem::copy(fields.surface, kept / "surface-500kB-12paths.lumi");
     std::filesystem::copy(fields.chord, kept / "chord-1MB-4paths.lumi");
     const test::Outcome outcome = done(lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for",
                                              "rp2040", "--json", "--cache", cache.string()}));
@@ -142,6 +144,9 @@ TEST_CASE("report --for without fields bakes a ladder, and takes what an earlier
     CHECK(report["fields"].size() == 4);
     const std::string command = report["trade"]["parts"][0]["commands"][0];
     CHECK_THAT(command, Catch::StartsWith("lumi bake ") && Catch::Contains(" --fit "));
+    CHECK((test::content_of(kept / "surface-120kB-12paths.lumi") == test::content_of(fields.surface)));
+    CHECK((test::content_of(kept / "surface-250kB-12paths.lumi") != foreign));
+    CHECK((test::content_of(kept / "chord-1MB-4paths.lumi") == foreign));
 }
 
 namespace

@@ -7,7 +7,9 @@
 
 #include "../planner/chord_plan.h"
 #include "commands/bake_summary.h"
+#include "files/field_file.h"
 #include "lumi/baker/surface.h"
+#include "terminal/failure.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -34,6 +36,20 @@ struct Paths {
 };
 constexpr Paths kPaths = {100, 16}, kQuickPaths = {12, 4};
 
+// Whether what the cache holds is such a field of the scene; else it is baked anew.
+bool is_kept(const std::string& path, const Rung& rung, const baker::Scene& scene)
+{
+    try {
+        const FieldFile file(path, FieldFile::Role::own_output);
+        file.require_intact();
+        const FieldSphere sphere = file.sphere();
+        return file.is_surface() == rung.is_surface && file.size() <= rung.bytes && sphere.centre == scene.centre() &&
+               sphere.radius == scene.radius();
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
 class LadderBake
 {
 public:
@@ -46,7 +62,7 @@ public:
         const uint32_t count = rung.is_surface ? paths.surface : paths.chord;
         const std::string name = std::string(layout) + "-" + rung.size + "-" + std::to_string(count) + "paths.lumi";
         const std::string file = (std::filesystem::path(settings_.folder) / name).string();
-        if (!std::filesystem::exists(file) &&
+        if (!is_kept(file, rung, scene_) &&
             !(rung.is_surface ? bakes_surface(rung, count, file, step) : bakes_chord(rung, count, file, step)))
             return;
         ladder_.fields.push_back(file);
