@@ -75,4 +75,10 @@ bool is_of(const FitModel& model, const FitShape& shape)
            model.viewed.size() == empty.viewed.size();
 }
 
+void flatten_unviewed(FitModel& model)
+{
+    for (size_t k = 0; k < model.nodes.size(); ++k)
+        if (model.viewed[k / detail::format::kViewNodes] == 0) model.nodes[k] = {};
+}
+
 }  // namespace lumi::baker

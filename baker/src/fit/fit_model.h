@@ -27,6 +27,8 @@ void fields(Io& io, FitModel& model)
 // Each vertex of opaque patches has a table.
 FitModel empty_model(const FitShape& shape);
 bool is_of(const FitModel& model, const FitShape& shape);
+// Makes nodes of vertices that are not viewed 0.
+void flatten_unviewed(FitModel& model);
 
 // The nodes that a sample sees, and their weights; those of no weight and of vertices without a table are left out.
 struct SampleTaps {

@@ -58,7 +58,7 @@ void factorise(VertexBlock& block)
             if (j < i)
                 row[j] = rest * other[j];
             else
-                row[i] = rest > kLeast * own && own > 0 ? 1 / std::sqrt(rest) : 0;
+                row[i] = rest > kLeast * own ? 1 / std::sqrt(rest) : 0;
         }
     }
 }

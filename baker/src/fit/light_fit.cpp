@@ -52,10 +52,7 @@ void leave_out_flat_tables(const FitSums& sums, FitSolver& solver, FitModel& mod
 {
     constexpr double kFlat = 4;  // levels, root mean square; a pilot's tables are not known better
     model.viewed = viewed_vertices(sums, model, kFlat);
-    for (size_t v = 0; v < model.viewed.size(); ++v)
-        if (model.viewed[v] == 0)
-            std::fill_n(model.nodes.begin() + static_cast<std::ptrdiff_t>(v * detail::format::kViewNodes),
-                        detail::format::kViewNodes, LevelColour{});
+    flatten_unviewed(model);
     solver.fit_texels(model);
 }
 

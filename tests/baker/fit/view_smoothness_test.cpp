@@ -118,4 +118,39 @@ TEST_CASE("each direction of a table is like three others at least")
     for (const auto& [node, count] : likes) CHECK(count >= 3);
 }
 
+TEST_CASE("vertices without a view table have nodes of 0, the others keep theirs")
+{
+    using detail::format::kViewNodes;
+    FitModel model = empty_model(square());
+    std::fill(model.nodes.begin(), model.nodes.end(), LevelColour{1, 2, 3});
+    model.viewed = {0, 1, 1, 0};
+    flatten_unviewed(model);
+    for (size_t k = 0; k < model.nodes.size(); ++k)
+        CHECK((model.nodes[k] == LevelColour{} || model.viewed[k / kViewNodes] != 0));
+    CHECK(std::count(model.nodes.begin(), model.nodes.end(), LevelColour{}) == 2 * kViewNodes);
+}
+
+TEST_CASE("a solution is advanced by so many iterations, and no more once it is done")
+{
+    const FitShape shape = square();
+    const EncodedTone tone(ToneCurve::srgb);
+    FitModel model = empty_model(shape);
+    for (LevelColour& texel : model.texels) texel = {130, 130, 130};
+    const FitModel expected = model;
+    FitSums sums(shape, tone, expected, White::goes_on);
+    const std::vector<FitSample> samples = paths(shape, 0.5f);
+    sums.add(0, samples.data(), samples.data() + samples.size());
+    const ViewSmoothness smoothness(shape, model.viewed);
+    Job job(1, 1, {});
+    FitSolver solver(sums, smoothness, {}, job);
+    ConjugateGradients d = solver.begun(model);
+    solver.advance(d, 1);
+    CHECK_FALSE(d.done);
+    solver.advance(d, 1000);
+    REQUIRE(d.done);
+    const std::vector<double> solution = d.x;
+    solver.advance(d, 1);
+    CHECK(d.x == solution);
+}
+
 }  // namespace lumi::baker::testing

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "shadow/receiver.h"
 #include "support/shapes.h"
 #include "support/surfaces.h"
 #include "surface/surface_scenes.h"
@@ -23,13 +24,13 @@ PartMovement hand()
     return movement;
 }
 
-// A thin bar of length 0.4 at kHandGap above a square dial, in the light that comes from (1, 0, 1).
-SceneMaker dial_with_hand(const PartMovement& movement, float dial_height = 0)
+// A thin bar of length 0.4 at kHandGap above a square dial, in the light that comes from `light`.
+SceneMaker dial_with_hand(const PartMovement& movement, float dial_height = 0, const Vec3& light = {1, 0, 1})
 {
     SceneMaker maker;
     const uint32_t white = maker.add(diffuse(grey(0.8f))), black = maker.add(diffuse(grey(0.02f)));
     maker.box(white, {-kDialSide, -kDialSide, dial_height - 0.2f}, {kDialSide, kDialSide, dial_height});
-    maker.add(Fixture(DirectionalLight{normalized(Vec3{1, 0, 1}), grey(1)}));
+    maker.add(Fixture(DirectionalLight{normalized(light), grey(1)}));
     maker.begin_part(movement);
     maker.box(black, {-kHandHalf, -kHandHalf, kHandGap}, {0.4f, kHandHalf, kHandGap + 0.01f});
     return maker;
@@ -98,6 +99,35 @@ TEST_CASE("part shadows: a shadow takes a share of the field's texels, and reads
     const PartShadows coarse = part_shadows(scene.data(), built_mesh(scene, settings).mesh, tiny_surface(), {});
     REQUIRE(coarse.shadows.size() == 1);
     CHECK(coarse.shadows[0].columns * coarse.shadows[0].rows <= kFewestShadowTexels);
+}
+
+TEST_CASE("part shadows: a shadow is found as far as a low light throws it, to either side")
+{
+    constexpr float kGaps = 1.75f;
+    for (const float side : {-1.0f, 1.0f}) {
+        const Scene scene = dial_with_hand(hand(), 0, {side * 0.5f, kGaps, 1}).make(constant_environment(0.02f));
+        const PartShadows found = shadows_of(scene);
+        REQUIRE(found.shadows.size() == 1);
+        const Vec3 moved = found.shadows[0].pivot - scene.data().moving.motions[0].pivot;
+        CHECK(moved.y == Approx(-kGaps * kHandGap / scene.radius()).margin(0.03));
+    }
+}
+
+TEST_CASE("part shadows: a value between points of a grid is their mean, and half of it at the rim")
+{
+    ShadowGrid grid;
+    grid.low = {-1, 2};
+    grid.cell = {0.5f, 0.25f};
+    grid.columns = 3;
+    grid.rows = 2;
+    const std::vector<float> values = {1, 2, 3, 4, 5, 6};
+    for (uint32_t k = 0; k < grid.size(); ++k) CHECK(value_at(values, grid, grid.middle(k)) == Approx(values[k]));
+    CHECK(value_at(values, grid, {-0.5f, 2.25f}) == Approx(3));
+    CHECK(value_at(values, grid, {-1, 2.125f}) == Approx(0.5));
+    CHECK(value_at(values, grid, {0.5f, 2.125f}) == Approx(1.5));
+    CHECK(value_at(values, grid, {-0.75f, 2}) == Approx(0.5));
+    CHECK(value_at(values, grid, {-0.75f, 2.5f}) == Approx(2));
+    CHECK(value_at(values, grid, {-2, 2.125f}) == 0);
 }
 
 TEST_CASE("part shadows: a bright sky passes where the lamp does not")

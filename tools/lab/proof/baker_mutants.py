@@ -8,7 +8,7 @@ constants with a name are choices, and stay. A change is compiled by itself and 
 seen where a test of its folder fails, crashes or takes far longer, else where one of a folder behind it does.
 
 The list is tests/baker/mutants.txt: two lines a change, its name, and what saw it or why it is none ("equal: ..."). The
-next call goes on from there, and ends after M minutes; --again tries the survivors again. At least nine of ten must be
+next call goes on from there, draws anew what no longer applies, and ends after M minutes; --again tries the survivors again. At least nine of ten must be
 seen, those aside that are equal.
 """
 import collections
@@ -164,20 +164,22 @@ def write_list(outcomes):
 
 def main():
     options = options_of(__doc__, 60)
-    outcomes = {name: outcome for name, outcome in read_list().items() if outcome != "not seen" or not options.again}
+    mutants = {name_of(mutant): mutant for mutant in drawn()}
+    outcomes = {name: outcome for name, outcome in read_list().items()
+                if name in mutants and (outcome != "not seen" or not options.again)}
     skipped = {"does not compile", "same code"}
     end = time.monotonic() + 60 * options.minutes
     tests = None
-    for mutant in drawn():
+    for name, mutant in mutants.items():
         if len(outcomes) >= options.count or time.monotonic() > end:
             break
-        if name_of(mutant) in outcomes:
+        if name in outcomes:
             continue
         tests = tests or Tests()
         outcome = tests.outcome(mutant)
-        print(f"{name_of(mutant)} ({mutant.line}): {outcome}", flush=True)
+        print(f"{name} ({mutant.line}): {outcome}", flush=True)
         if outcome not in skipped:
-            outcomes[name_of(mutant)] = outcome
+            outcomes[name] = outcome
             write_list(outcomes)
     seen = sum(outcome.startswith("seen") for outcome in outcomes.values())
     equal = sum(outcome.startswith("equal: ") for outcome in outcomes.values())

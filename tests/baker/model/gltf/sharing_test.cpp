@@ -179,13 +179,14 @@ TEST_CASE("glTF: a coloured mesh shows its colours mirrored, and flat where a no
     const std::string order = std::to_string(maker.indices({3, 4, 5, 0, 1, 2}));
     // The second triangle's corners are 0, 1, 2; in the flat node the first one, in the plane y = 0, has no area.
     maker.add(
-        "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"scale\":[-1,1,1]},{\"mesh\":0,\"scale\":[1,1,0]}],"
+        "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"scale\":[-1,1,1]},{\"mesh\":0,\"scale\":[1,1,0]},"
+        "{\"mesh\":0,\"translation\":[3,0,0]}],"
         "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":" +
         p + ",\"COLOR_0\":" + c + "},\"indices\":" + order + "}]}]");
     const ScratchFolder folder;
     std::vector<std::string> warnings;
     const SceneParts parts = read_gltf(folder.write("m.glb", maker.glb()), warnings);
-    REQUIRE(parts.mesh.triangle_count() == 5);
+    REQUIRE(parts.mesh.triangle_count() == 7);
     const auto green_at = [&](uint32_t triangle, const Vec2& place) {
         const Material& material = parts.materials[parts.mesh.materials[triangle]];
         return slot_colour(parts.mesh, parts.textures, material.maps.base, triangle, place).g;
@@ -193,6 +194,8 @@ TEST_CASE("glTF: a coloured mesh shows its colours mirrored, and flat where a no
     CHECK(green_at(1, {1, 0}) == Approx(0.8).margin(0.01));
     CHECK(green_at(3, {0, 1}) == Approx(0.8).margin(0.01));  // its second and third corner have changed places
     CHECK(green_at(4, {1, 0}) == Approx(0.8).margin(0.01));
+    CHECK(green_at(5, {1, 0}) == Approx(0.6).margin(0.01));
+    CHECK(green_at(6, {1, 0}) == Approx(0.8).margin(0.01));
 }
 
 TEST_CASE("glTF: nodes that place a mesh of very many points are read at once")
