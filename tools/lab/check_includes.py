@@ -104,7 +104,6 @@ tools/src/filter
 tools/src
 
 tools/lab/twin
-tools/lab/src/comparison
 tools/lab/src/bench
 tools/lab/src/measure
 tools/lab/src

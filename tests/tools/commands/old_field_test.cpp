@@ -23,8 +23,8 @@ TEST_CASE("a chord field of an earlier version draws the pictures that it drew t
     } pictures[] = {{"nearest", 0xECC0FEB2}, {"linear", 0x0BB98C58}, {"paper", 0x3ED96147}};
     for (const auto& p : pictures) {
         CAPTURE(p.mode);
-        done(lumi({"render", LUMI_OLD_FIELD, "-o", png, "--size", "96x64", "--orbit", "37,23,3", "--fov", "40",
-                   "--background", "black", "--mode", p.mode}));
+        done(test::lumi({"render", LUMI_OLD_FIELD, "-o", png, "--size", "96x64", "--orbit", "37,23,3", "--fov", "40",
+                         "--background", "black", "--mode", p.mode}));
         const Picture picture = read_png(png);
         CHECK(detail::crc32(0, picture.rgb.data(), picture.rgb.size()) == p.crc);
     }

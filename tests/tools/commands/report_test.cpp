@@ -40,7 +40,7 @@ TEST_CASE("report measures a field and writes page and JSON")
                 .code == 0);
     const test::Arguments call = {"report",  LUMI_TEST_SCENE,  field, "--count",        "1", "--spp", "1",
                                   "--cache", folder / "cache", "-o",  folder / "r.html"};
-    const test::Outcome outcome = done(lumi(call));
+    const test::Outcome outcome = done(test::lumi(call));
     CHECK_THAT(outcome.out, Catch::Contains("frames a second"));
     test::Arguments for_machines = call;
     for_machines.push_back("--json");
@@ -138,8 +138,8 @@ TEST_CASE("report --for without fields takes of its ladder what an earlier call 
     test::write_content(kept / "surface-250kB-12paths.lumi", foreign);
     std::filesystem::copy(fields.surface, kept / "surface-500kB-12paths.lumi");
     std::filesystem::copy(fields.chord, kept / "chord-1MB-4paths.lumi");
-    const test::Outcome outcome = done(lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for",
-                                             "rp2040", "--json", "--cache", cache.string()}));
+    const test::Outcome outcome = done(test::lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1",
+                                                   "--for", "rp2040", "--json", "--cache", cache.string()}));
     const auto report = nlohmann::json::parse(outcome.out);
     CHECK(report["fields"].size() == 4);
     const std::string command = report["trade"]["parts"][0]["commands"][0];

@@ -97,7 +97,7 @@ TEST_CASE("a pose draws what its orbit draws, and --over shows the photograph wh
     test::write_content(folder / "pose.txt", matrix_of(host::make_pose({30, 20, 3}), 9));
     const auto render = [&](const std::string& name, test::Arguments more) {
         more.insert(more.begin(), {"render", folder / "f.lumi", "-o", folder / name});
-        done(lumi(more));
+        done(test::lumi(more));
         return read_png(folder / name);
     };
     CHECK(render("a.png", {"--pose", folder / "pose.txt", "--size", "48x32"}).rgb ==

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads and writes files of pictures: PNG, JPEG and OpenEXR (lumi/host/png.h, lumi/baker/picture_file.h).
+// Reads and writes files of pictures: PNG and OpenEXR (lumi/host/png.h, lumi/baker/picture_file.h).
 #pragma once
 
 #include <string>
@@ -23,11 +23,6 @@ std::string png_bytes(const Picture& picture);
 
 // Writes by write_output: throws Failure and leaves earlier output where that fails.
 void write_png(const std::string& path, const Picture& picture);
-
-std::string jpeg_bytes(const Picture& picture, int quality);
-
-// The picture as it looks after the best quality whose file takes at most `bytes`, or after quality 1.
-Picture through_jpeg(const Picture& picture, size_t bytes);
 
 bool is_exr_name(const std::string& path);
 
