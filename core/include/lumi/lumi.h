@@ -130,7 +130,7 @@ lumi_pose lumi_pose_of(lumi_orbit orbit);
 lumi_pose lumi_held_pose(lumi_quaternion turn, int32_t distance_q20);
 /* Returns a pose beside another, to its right: stereo. */
 lumi_pose lumi_moved_right(lumi_pose pose, int32_t offset_q20);
-/* Turns the picture clockwise, for a display that is mounted askew: what was up is at the right after a quarter turn. */
+/* Turns the picture clockwise, for a display that is mounted askew: a quarter turn puts what was up to the right. */
 lumi_pose lumi_rolled(lumi_pose pose, uint32_t roll_turns32);
 
 /* A rectangle of the image; nothing where a side is 0. */
@@ -148,7 +148,8 @@ lumi_error lumi_turn(lumi_view* view, uint32_t part, uint32_t turns32);
 lumi_error lumi_slide(lumi_view* view, uint32_t part, int32_t offset_q20);
 
 /* Tells the rectangles beside which the last look changed no pixel. Their sides are multiples of `align` as far as the
- * image reaches. At the first look, without LUMI_C_PARTS, and of chord fields it is the image. Nothing without a view or a look. */
+ * image reaches. At the first look, without LUMI_C_PARTS, and of chord fields it is the image. Nothing without a view
+ * or a look. */
 typedef struct {
     lumi_rect rect[4];
     uint32_t count;
