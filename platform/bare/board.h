@@ -19,7 +19,7 @@ void send(const uint8_t* pixels, uint32_t bytes);
 // Only where clocks run. Waits for a new second since midnight, or for a new view, and tells both; false: the program
 // ends. Nobody has set a board's clock: it starts at kFirstSecond.
 bool next_second(lumi::Orbit& orbit, uint32_t& second);
-// What is sent next are the pixels of this rectangle, row by row.
+// The pixels that are sent next are those of this rectangle, row by row.
 void set_window(const lumi::PixelRect& window);
 constexpr uint32_t kFirstSecond = (10 * 60 + 8) * 60 + 57;
 

@@ -111,7 +111,7 @@ void begin_frame(lumi::Orbit& orbit)
     orbit = current;
 }
 
-// What the computer's clock says, and the milliseconds until it says something else.
+// The computer's clock says this second, and another one after so many milliseconds.
 struct Now {
     uint32_t second;
     int left_ms;

@@ -137,8 +137,8 @@ THIRD_PARTIES = {
     "SDL": "platform/simulator/window.cpp",
 }
 
-# What prints text as it is, and the only files of the tools that may: names in files are strangers', and may hold commands
-# for terminals.
+# These calls print text as it is, and only these files of the tools may use them: names in files are strangers', and may
+# hold commands for terminals.
 PRINTS = re.compile(r"\b(?:v?f?printf|f?puts|f?putc|putchar|fwrite|perror)\(|\bstd::(?:cout|cerr) *<<")
 PRINTERS = ["tools/src/terminal/text.cpp", "tools/src/terminal/progress_printer.cpp"]
 

@@ -71,7 +71,7 @@ bake_field() {
     --paths "${1:-20}" --restart
 }
 
-# The same clock with hands that move, coarse: tests compare pictures.
+# Bakes that clock with hands that move, coarsely: tests compare pictures.
 bake_clock() {
   "$lumi" bake "$root/baker/scenes/clock.json" -o "$clock" --triangles 700 --longest-edge 0.5 --texel-density 20 --paths 2 \
     --restart

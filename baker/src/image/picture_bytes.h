@@ -20,8 +20,8 @@ int64_t pixels_of(const std::string& bytes);
 int64_t pixels_of_jpeg(const std::string& bytes);
 int64_t pixels_of_webp(const std::string& bytes);
 
-// What the pictures of one model may have once each use of them is decoded: so many pixels, and so many more for each
-// byte of their files. Photographs have at most 30 pixels a byte, and few are used twice.
+// The pictures of one model may have so many pixels once each use of them is decoded, and so many more for each byte of
+// their files. Photographs have at most 30 pixels a byte, and few are used twice.
 class PictureRoom
 {
 public:

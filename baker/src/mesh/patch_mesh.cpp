@@ -307,8 +307,8 @@ std::vector<uint32_t> triangles_by_part(const SceneData& scene, uint32_t triangl
     return result;
 }
 
-// What moves is left out of the body's mesh and alone in its own: so all that any pose shows is there, and no patch
-// and no vertex belongs to two.
+// A part that moves is left out of the body's mesh and alone in its own: so all that any pose shows is there, and no
+// patch and no vertex belongs to two.
 BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
 {
     constexpr uint32_t kFewest = 64;

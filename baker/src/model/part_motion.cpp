@@ -35,7 +35,7 @@ struct AxialPlace {
     float height, distance;
 };
 
-// Of points that turn all the way round only those count that no others, farther out, lie around: the corners of the
+// Points that turn all the way round count only where no others, farther out, lie around them: at the corners of the
 // convex hull of their places.
 std::vector<AxialPlace> outermost(std::vector<AxialPlace> places)
 {

@@ -154,7 +154,7 @@ inline TestPart shadow(const TestPart& leader, uint32_t follows, int32_t half, c
     return part;
 }
 
-// The same ball with shadows of the first and of the third part.
+// These are three_parts() with shadows of the first and of the third part.
 inline std::vector<TestPart> parts_with_shadows()
 {
     std::vector<TestPart> parts = three_parts();

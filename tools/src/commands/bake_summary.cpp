@@ -214,8 +214,8 @@ std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker
     return warnings;
 }
 
-// What a machine with two idle cores does, in light paths a second or work that takes as long. It decides how evenly a
-// bake's share moves until its light shows a pace.
+// A machine with two idle cores does so much, in light paths a second or work that takes as long. It decides how evenly
+// a bake's share moves until its light shows a pace.
 constexpr double kUsualPace = 3e5;
 constexpr double kMeasuredPaths = 1e6, kMeasuredAtOnce = 3;  // and how many times faster than a bake's they are
 constexpr double kSilentSeconds = 1.5, kTellsAgainSeconds = 0.5;
@@ -265,7 +265,7 @@ bool BakeProgress::tell(const baker::Progress& progress)
     if (progress.rays_per_second > 0 && options_.shard.empty())
         time_.expect(2, kMeasuredPaths / kMeasuredAtOnce / progress.rays_per_second);
     baker::Progress own = progress;
-    // What comes before the light has a share of its own, which says nothing of the whole.
+    // The work before the light has a share of its own, which says nothing of the whole.
     if (step_ == BakeStep::baking && progress.eta_seconds < 0) own.rays_done = 0;
     last_ = time_.of(own, now);
     last_.rays_done = progress.rays_done;

@@ -13,7 +13,7 @@
 namespace lumi::tools
 {
 
-// What an option says of a part: how it moves, or also its pose.
+// An option says how a part moves, or also its pose.
 enum class PartWords : uint8_t { motion, motion_and_pose };
 
 // Adds --part NAME:AXIS[@X,Y,Z], with =VALUE where a pose may be given; NAME=VALUE is one of a part that is known. Of

@@ -114,7 +114,7 @@ Picture over_gradient(const Picture& over_corner, const Picture& over_middle)
     return result;
 }
 
-// What a display shows of a picture in 24 bits that is dithered for it.
+// Returns what a display shows of a picture in 24 bits that is dithered for it.
 Picture dithered(const Picture& picture)
 {
     const uint32_t stride = 2 * static_cast<uint32_t>(picture.width_px);

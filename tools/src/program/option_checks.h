@@ -35,7 +35,7 @@ constexpr uint64_t kMostThreads = 1024;
 // a file.
 void require_plain_words(CLI::App& app);
 
-// What is wrong in our words, "NAME takes ..." where a check or a choice failed.
+// Says what is wrong in our words, "NAME takes ..." where a check or a choice failed.
 std::string parse_problem(const CLI::ParseError& error);
 
 // Adds an option that takes words with commas between them, and may be given again; `set` gets each word and throws

@@ -16,7 +16,7 @@ namespace
     fail_gltf(model, std::string("a mesh that Draco compressed ") + what + "; export the file again");
 }
 
-// What the bitstream of version 2.2 says before anything is decoded: its decoder takes memory as these numbers say.
+// Reads the bitstream's head of version 2.2 before anything is decoded: its decoder takes memory as these numbers say.
 class Head
 {
 public:
