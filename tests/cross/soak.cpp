@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Draws random orbits, image sizes, stripes, pixel formats and modes of three fields that the emulator has loaded, a
-// MiB apart: a surface field, a chord field of RGB565 texels, and a surface field with see-through parts: `SEED
-// FRAMES`. Every buffer is as large as the headers ask and lies between guard zones. A frame drawn in random stripes
-// must be the frame drawn whole, and a frame prepared in halves the frame that one core prepared. Writes a line of
-// counts; the first fault ends it with 1.
+// Draws random orbits, image sizes, stripes, pixel formats and modes of four fields that the emulator has loaded, a
+// MiB apart: a surface field, a chord field of RGB565 texels, a surface field with see-through parts, and one with
+// moving parts: `SEED FRAMES`. Every buffer is as large as the headers ask and lies between guard zones. A frame drawn
+// in random stripes must be the frame drawn whole, a frame prepared in halves the frame that one core prepared, and a
+// frame to which parts have come back the frame that they left. Writes a line of counts; the first fault ends it
+// with 1.
 #include <cstring>
 
 #include "lumi/chord/render_spans.h"
@@ -11,6 +12,7 @@
 #include "lumi/mps2/meters.h"
 #include "lumi/orbit.h"
 #include "lumi/surface/halves.h"
+#include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
 #include "text_line.h"
 
@@ -21,7 +23,7 @@ using namespace lumi;
 using namespace lumi::detail;
 
 constexpr int32_t kMostSide = 48;
-constexpr uint32_t kChordOffset = 1024 * 1024, kSeeThroughOffset = 2 * kChordOffset;
+constexpr uint32_t kChordOffset = 1024 * 1024, kSeeThroughOffset = 2 * kChordOffset, kMovingOffset = 3 * kChordOffset;
 constexpr uint32_t kMostVertices = 2048, kMostPatches = 2048;  // limits of the surface fields
 
 // xorshift of 32 bits (Marsaglia, 2003).
@@ -92,7 +94,7 @@ Guarded<surface_stripe_bytes(kMostSide, kMostSide, SurfaceMode::two_by_two)> sam
 Guarded<kMostVertices * sizeof(SurfaceVertex)> vertex_memory;
 Guarded<2 * surface_links(kMostPatches)> link_memory;
 Guarded<2 * surface_bands(kMostSide, 0)> band_memory, second_band_memory;
-Guarded<4 * see_through_words(kMostPatches)> see_through_memory;
+Guarded<4 * (see_through_words(kMostPatches) + part_words(format::kMaxParts))> see_through_memory;
 
 SurfaceFrame frame;
 SurfaceHalves halves;
@@ -162,6 +164,75 @@ void draw_twice(const Size& size, bool whole_rows, const Between& between, const
     if (std::memcmp(whole, parts, bytes) != 0) fail("stripes show other bits than the whole frame");
 }
 
+void move_all(const SurfaceField& field, const SurfaceMemory& memory)
+{
+    for (uint32_t part = 0; part < field.part_count; ++part) {
+        if (random_of(3) == 0) continue;
+        if (!turn_part(field, memory, part, random_word()))
+            slide_part(field, memory, part, static_cast<int32_t>(random_word()) >> random_of(20));
+    }
+}
+
+// What parts have come to, and back to it.
+struct PartValues {
+    uint32_t of[format::kMaxParts];
+
+    static uint32_t& value(const SurfaceField& field, const SurfaceMemory& memory, uint32_t part)
+    {
+        return moving_part(moving_parts(field, memory), part).value;
+    }
+    void keep(const SurfaceField& field, const SurfaceMemory& memory)
+    {
+        for (uint32_t k = 0; k < field.part_count; ++k) of[k] = value(field, memory, k);
+    }
+    void restore(const SurfaceField& field, const SurfaceMemory& memory) const
+    {
+        for (uint32_t k = 0; k < field.part_count; ++k) value(field, memory, k) = of[k];
+    }
+};
+
+// The frame is drawn whole; before it is drawn in stripes, parts leave it some times and come back.
+template <class Pixel, class Background>
+void draw_moving(const SurfaceField& field, const Background& background)
+{
+    constexpr SurfaceFeatures kAll = SurfaceFeatures::all;
+    const Size size = random_size();
+    const Orbit orbit = random_orbit();
+    const SurfaceMode mode = static_cast<SurfaceMode>(random_of(3));
+    SurfaceCamera camera;
+    if (make_surface_camera(pose_of(orbit), image_of(orbit, size.width, size.height), camera) != CameraError::none) {
+        ++refused;
+        return;
+    }
+    const SurfaceMemory memory = memory_of(field, size.height, static_cast<uint32_t>(random_of(6)));
+    rest_parts(field, memory);
+    frame.width_px = 0;  // of no field
+    const auto prepare = [&] {
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kAll>(field, camera, mode, memory, frame);
+    };
+    move_all(field, memory);
+    prepare();
+    const auto leave_and_come_back = [&] {
+        PartValues values;
+        values.keep(field, memory);
+        for (int32_t k = random_of(3); k > 0; --k) {
+            move_all(field, memory);
+            prepare();
+        }
+        values.restore(field, memory);
+        prepare();
+    };
+    draw_twice<Pixel>(size, false, leave_and_come_back, [&](const Stripe& stripe) {
+        const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
+        render_surface<Pixel, SurfaceMode::two_by_two, kAll>(frame, background, stripe, sample_memory.of(bytes));
+        sample_memory.check("written beside the samples");
+    });
+    vertex_memory.check("written beside the vertices");
+    link_memory.check("written beside the links");
+    band_memory.check("written beside the bands");
+    see_through_memory.check("written beside the parts");
+}
+
 // The frame of one core is drawn whole; every other time, the frame prepared in halves is drawn in stripes.
 template <class Pixel, SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Background>
 void draw_surface(const SurfaceField& field, const Background& background)
@@ -222,7 +293,7 @@ void draw_chord(const Field& field, const Background& background)
 struct Fields {
     SurfaceField surface;
     Field chord;
-    SurfaceField see_through;
+    SurfaceField see_through, moving;
 };
 
 void draw_frame(const Fields& fields)
@@ -230,7 +301,7 @@ void draw_frame(const Fields& fields)
     const uint32_t word = random_word();
     const OverColour colour{
         {static_cast<uint8_t>(word), static_cast<uint8_t>(word >> 8), static_cast<uint8_t>(word >> 16)}};
-    switch (random_of(13)) {
+    switch (random_of(15)) {
         case 0:
             return draw_surface<PixelRgb565>(fields.surface, OverBlack{});
         case 1:
@@ -255,6 +326,10 @@ void draw_frame(const Fields& fields)
             return draw_surface<PixelRgb565, SurfaceFeatures::all>(fields.see_through, colour);
         case 11:
             return draw_surface<PixelArgb8888, SurfaceFeatures::all>(fields.see_through, OverNothing{});
+        case 12:
+            return draw_moving<PixelRgb565>(fields.moving, colour);
+        case 13:
+            return draw_moving<PixelArgb8888>(fields.moving, OverNothing{});
         default:
             return draw_surface<PixelRgb565Swapped, SurfaceFeatures::all>(fields.see_through, OverStripe{});
     }
@@ -268,7 +343,8 @@ __attribute__((noinline)) void draw_frames(const Fields& fields, uint32_t count)
 void open_fields(Fields& fields)
 {
     const mps2::LoadedField surface = mps2::loaded_field(0), chord = mps2::loaded_field(kChordOffset),
-                            see_through = mps2::loaded_field(kSeeThroughOffset);
+                            see_through = mps2::loaded_field(kSeeThroughOffset),
+                            moving = mps2::loaded_field(kMovingOffset);
     if (open_surface(surface.bytes, surface.size, fields.surface) != FieldError::none)
         fail("no surface field is loaded");
     if (open_field(chord.bytes, chord.size, fields.chord) != FieldError::none) fail("no chord field is loaded");
@@ -276,6 +352,9 @@ void open_fields(Fields& fields)
             FieldError::none ||
         fields.see_through.see_through_count == 0)
         fail("no field with see-through parts is loaded");
+    if (open_surface<SurfaceFeatures::all>(moving.bytes, moving.size, fields.moving) != FieldError::none ||
+        fields.moving.part_count == 0)
+        fail("no field with moving parts is loaded");
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # tools/lab/soak.sh [--minutes N]
 # Draws random frames on an emulated Cortex-M0+, Cortex-M4 and Cortex-M55 at once, so long (a minute if not said): random
-# orbits, image sizes, stripes, pixel formats and modes of two surface fields, one of them with see-through parts, and a
-# chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
+# orbits, image sizes, stripes, pixel formats and modes of three surface fields, one of them with see-through parts and
+# one with moving ones, and a chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
 # must be the frame drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was
 # drawn. The first fault ends it and names the seed that shows it again.
 set -euo pipefail
@@ -39,6 +39,7 @@ bake_fields() {
   [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
   python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work"
   [[ -f $work/bottle.lumi ]] || "$lumi" bake "$work/bottle.json" -o "$work/bottle.lumi" --layout surface --fit 60kB --paths 10
+  [[ -f $work/moving.lumi ]] || "$lumi" bake "$root/baker/scenes/clock.json" -o "$work/moving.lumi" --fit 60kB --paths 4
   [[ -f $work/chord.lumi ]] ||
     "$lumi" bake "$scene" -o "$work/chord.lumi" --origins 256 --directions 512 --texel rgb565 --spp 2
 }
@@ -49,7 +50,7 @@ soak() {
   : >"$work/$1.txt"
   for ((seed = 1; SECONDS < end; ++seed)); do
     cmake -D CPU="$1" -D PROGRAM="$root/build/$1/tests/cross/lumi_soak.elf" -D "ARGUMENTS=$seed;$frames" \
-      -D "FIELDS=$work/surface.lumi;$work/chord.lumi;$work/bottle.lumi" -P "$root/platform/mps2/run.cmake" >>"$work/$1.txt" ||
+      -D "FIELDS=$work/surface.lumi;$work/chord.lumi;$work/bottle.lumi;$work/moving.lumi" -P "$root/platform/mps2/run.cmake" >>"$work/$1.txt" ||
       die "$1, seed $seed: $(tail -n 1 "$work/$1.txt")"
   done
 }
