@@ -321,7 +321,10 @@ std::vector<uint8_t> parts_section(const PatchMesh& mesh, const VertexOrder& ord
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
-    for (const Contents& part : contents) sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
+    for (const Contents& part : contents) {
+        sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
+        if (part.type == detail::format::kDraftSection) sections.back().flags = 0;
+    }
     std::vector<uint8_t> file = file_head(sections);
     for (const Contents& part : contents) {
         file.insert(file.end(), part.bytes.begin(), part.bytes.end());
@@ -346,6 +349,7 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
         contents.push_back({detail::format::kSeeThroughSection, see_through_section(shape, parts)});
     if (!shape.mesh.parts.empty())
         contents.push_back({detail::format::kPartsSection, parts_section(shape.mesh, order)});
+    if (parts.is_draft) contents.push_back({detail::format::kDraftSection, std::vector<uint8_t>(4)});
     return file_of(contents);
 }
 

@@ -41,6 +41,7 @@ struct FieldParts {
     NodeColours node_colours;
     std::vector<ViewCode> views;  // by vertex
     std::array<SeeThroughColour, detail::format::kPaletteEntries> see_through{};
+    bool is_draft = false;
 };
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);

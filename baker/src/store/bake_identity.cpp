@@ -35,7 +35,7 @@ void each(See& see, BakeSettings& s)
 template <class See>
 void each(See& see, SurfaceSettings& s)
 {
-    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, ground, seed,
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, ground, draft, seed,
            threads] = s;
     static_cast<void>(threads);
     see("triangles", triangles);
@@ -46,6 +46,7 @@ void each(See& see, SurfaceSettings& s)
     see("view tables", view_tables);
     see("fill", fills);
     see("ground", ground);
+    see("draft", draft);
     see("seed", seed);
 }
 

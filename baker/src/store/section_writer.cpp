@@ -23,7 +23,7 @@ std::vector<uint8_t> section_table(const std::vector<Section>& sections)
     for (size_t k = 0; k < sections.size(); ++k) {
         const size_t entry = k * detail::format::kEntryBytes;
         b.put32(entry + at::kTypeAt, sections[k].type);
-        b.put32(entry + at::kFlagsAt, detail::format::kRequired);
+        b.put32(entry + at::kFlagsAt, sections[k].flags);
         b.put32(entry + at::kOffsetAt, static_cast<uint32_t>(offset));
         b.put32(entry + at::kSizeAt, static_cast<uint32_t>(sections[k].size));
         b.put32(entry + at::kCrcAt, sections[k].crc);

@@ -46,6 +46,7 @@ struct Section {
     uint32_t type;
     uint64_t size;
     uint32_t crc;
+    uint32_t flags = detail::format::kRequired;
 };
 
 constexpr uint64_t aligned(uint64_t size)
@@ -58,7 +59,7 @@ uint32_t crc_of(const std::vector<uint8_t>& bytes);
 
 // Where the first section begins.
 uint64_t head_bytes(size_t sections);
-// Header and section table, head_bytes() long. All sections are required.
+// Header and section table, head_bytes() long.
 std::vector<uint8_t> file_head(const std::vector<Section>& sections);
 
 }  // namespace lumi::baker

@@ -146,6 +146,7 @@ public:
     {
         FieldParts parts = solved(state_, sphere_, stages_, job_, ground_levels(ground_, shape_.mesh));
         job_.finish();
+        parts.is_draft = settings_.draft;
         SurfaceBake bake;
         FitShape shape = shape_;
         bake.notes = shadows_.notes;

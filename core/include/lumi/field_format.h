@@ -74,6 +74,8 @@ inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // o
 inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
 // Where parts move, required: 4 + parts × kPartBytes.
 inline constexpr uint32_t kPartsSection = four_cc('S', 'P', 'R', 'T');
+// Optional, four zeros: the field is a first look, coarse and of few light paths.
+inline constexpr uint32_t kDraftSection = four_cc('D', 'R', 'F', 'T');
 
 // Guided fields ended with version 0.1.0. Their other names stay reserved, too: PROX, MEAN, CHRT, CPAL, OCCL.
 inline constexpr uint32_t kGuidedSection = four_cc('G', 'U', 'I', 'D');

@@ -154,6 +154,24 @@ TEST_CASE("a bake counts what it warns of, the mesh's faults among it")
     CHECK(nlohmann::json::parse(last)["warnings"] == told);
 }
 
+TEST_CASE("a draft says that it is one, and chooses its own settings")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path()), field = folder / "f.lumi";
+    const test::Outcome outcome = lumi({"bake", scene, "-o", field, "--draft", "--verbose"});
+    REQUIRE(outcome.code == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("a draft: bake it without --draft to ship it\n") &&
+                                Catch::Contains("\nlight ") && Catch::Contains(", mesh "));
+    CHECK(nlohmann::json::parse(lumi({"inspect", field, "--json"}).out)["draft"] == true);
+    CHECK_THAT(lumi({"inspect", field}).out, Catch::Contains("  draft         yes"));
+    REQUIRE(lumi({"render", field, "-o", folder / "f.png", "--size", "8x8"}).code == 0);
+    CHECK_THAT(lumi({"bake", scene, "-o", field, "--draft", "--paths", "9"}).err,
+               Catch::Contains("--draft chooses --paths itself"));
+    CHECK(lumi({"bake", scene, "-o", field, "--draft", "--layout", "chord"}).code != 0);
+    REQUIRE(lumi({"bake", scene, "-o", field, "--triangles", "20", "--texel-density", "4", "--paths", "4"}).code == 0);
+    CHECK(nlohmann::json::parse(lumi({"inspect", field, "--json"}).out)["draft"] == false);
+}
+
 TEST_CASE("an option of one layout chooses it")
 {
     const test::TemporaryFolder folder;

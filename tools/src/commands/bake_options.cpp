@@ -21,8 +21,10 @@ namespace
 
 constexpr std::array kChordOnly = {"--origins", "--directions", "--texel",   "--footprint",
                                    "--beam",    "--spp",        "--adaptive"};
-constexpr std::array kSurfaceShape = {"--triangles", "--longest-edge", "--texel-density", "--no-view-tables",
-                                      "--ground"};
+constexpr std::array kSurfaceShape = {"--triangles",      "--longest-edge", "--texel-density",
+                                      "--no-view-tables", "--ground",       "--draft"};
+// A draft chooses these.
+constexpr std::array kOfDraft = {"--fit", "--fill", "--triangles", "--longest-edge", "--texel-density", "--paths"};
 // Only surface fields take it, but it says nothing of the layout: a scene may still suit only the other one.
 constexpr std::array kSurfaceTime = {"--paths", "--fill"};
 
@@ -94,7 +96,8 @@ void check_fit(const CLI::App& command, const FitOptions& options)
 baker::SurfaceLimits limits_of(const CLI::App& command, const BakeOptions& options)
 {
     const auto given = [&](const char* name) { return command.count(name) > 0; };
-    const bool is_planned = options.fit.wanted() || (!given("--triangles") && !given("--texel-density"));
+    const bool is_planned =
+        options.fit.wanted() || (!options.draft && !given("--triangles") && !given("--texel-density"));
     baker::SurfaceLimits limits;
     if (options.fit.wanted()) limits.bytes = options.fit.budget_bytes();
     if (!is_planned) limits.bytes = UINT32_MAX;
@@ -153,8 +156,9 @@ void add_field_options(CLI::App& command, BakeOptions& options)
     add_screen_options(command, options.screen);
 }
 
-void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
+void add_surface_options(CLI::App& command, BakeOptions& options)
 {
+    baker::SurfaceSettings& s = options.surface;
     const OptionGroup group(command, "Surface fields");
     command.add_option("--triangles", s.triangles, "surface: triangles of the mesh, before long edges are split")
         ->type_name("T")
@@ -176,6 +180,8 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
     command.add_flag("--ground", s.ground,
                      "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware needs "
                      "a view with see-through patches, as `lumi embed` writes it");
+    command.add_flag("--draft", options.draft,
+                     "surface: a first look in some ten seconds, coarse and noisy; the file says that it is one");
     command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")
@@ -191,6 +197,19 @@ Choices<TexelFormat> texel_choices()
     return choices;
 }
 const Choices<TexelFormat> kTexelChoices = texel_choices();
+
+// A first look within some ten seconds on two cores.
+void set_draft(const CLI::App& command, BakeOptions& options)
+{
+    if (const char* chosen = first_given(command, kOfDraft))
+        throw UsageError(std::string("--draft chooses ") + chosen + " itself; leave one of them out");
+    baker::SurfaceSettings& s = options.surface;
+    s.draft = true;
+    s.triangles = 2000;
+    s.longest_edge = 0.4f;
+    s.texels_per_radius = 40;
+    s.paths_per_texel = 4;
+}
 
 void add_chord_options(CLI::App& command, BakeOptions& options)
 {
@@ -241,6 +260,7 @@ void add_work_options(CLI::App& command, BakeOptions& options)
         .add_option("--shard", options.shard,
                     "Bake part K of COUNT only, into FIELD.lumi.K-of-COUNT.shard; `lumi merge` joins the parts")
         ->type_name("K/COUNT");
+    command.add_flag("--verbose", options.verbose, "Say at the end how many seconds each stage took");
     command.add_flag("--restart", options.restart, "Discard the checkpoint of an earlier bake instead of going on");
     add_choice<ProgressStyle>(command, "--progress", options.progress,
                               {{"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}},
@@ -270,7 +290,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options)
     add_scene_options(command, options.scene);
     add_part_option(command, options.scene.parts, PartWords::motion);
     add_field_options(command, options);
-    add_surface_options(command, options.surface);
+    add_surface_options(command, options);
     add_chord_options(command, options);
     add_work_options(command, options);
 }
@@ -284,6 +304,7 @@ void resolve(const CLI::App& command, BakeOptions& options)
     options.has_directions = command.count("--directions") > 0;
     options.has_screen = command.count("--screen") + command.count("--rows") > 0;
     check_fit(command, options.fit);
+    if (options.draft) set_draft(command, options);
     options.limits = limits_of(command, options);
     options.surface.seed = options.chord.seed;
     options.surface.threads = options.scene.threads;

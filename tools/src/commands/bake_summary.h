@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -29,6 +30,9 @@ public:
     // The triangles of the scene, and the bytes that its field has at most.
     void expect(size_t triangles, uint64_t bytes);
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    // The seconds that each stage of the work took, by its name.
+    std::vector<std::pair<std::string, double>> stages();
 
     // Calls work(progress).
     template <class Work>
@@ -58,6 +62,8 @@ private:
     BakeStep step_ = BakeStep::planning;
     ProgressPrinter people_;
     std::optional<JsonProgress> machines_;
+    std::map<baker::Stage, double> stage_seconds_;
+    double told_ = 0;  // until when they count
     baker::Progress last_;
     std::optional<double> last_seconds_;  // nothing between steps
     std::optional<Teller> teller_;        // the last: it uses all else

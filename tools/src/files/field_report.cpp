@@ -93,6 +93,12 @@ PartRange range_of(const PartMotion& motion)
     return {from, from + motion.span * unit, !motion.slides && motion.span == UINT32_MAX};
 }
 
+bool is_draft(const FieldFile& file)
+{
+    const std::vector<Section> sections = file.sections();
+    return std::any_of(sections.begin(), sections.end(), [](const Section& s) { return s.type == "DRFT"; });
+}
+
 void append_part(std::string& text, const std::string& name, const PartMotion& motion)
 {
     const PartRange range = range_of(motion);
@@ -187,6 +193,7 @@ std::string report_text(const FieldFile& file, bool verify)
     append_line(text, "  version       %" PRIu32, detail::format::kVersion);
     append_line(text, "  layout        %s", common.layout);
     append_line(text, "  bytes         %zu (%s)", file.size(), byte_text(file.size()).c_str());
+    if (is_draft(file)) text += "  draft         yes: a first look; bake it without --draft to ship it\n";
     if (file.is_surface())
         append_surface(text, file.surface());
     else
@@ -215,7 +222,8 @@ std::string report_json(const FieldFile& file, bool verify)
     nlohmann::ordered_json json = {{"file", file.path()},
                                    {"bytes", file.size()},
                                    {"version", detail::format::kVersion},
-                                   {"layout", common.layout}};
+                                   {"layout", common.layout},
+                                   {"draft", is_draft(file)}};
     json.update(file.is_surface() ? json_of(file.surface()) : json_of(file.field()));
     json["texel_format"] = common.texel_format;
     json["colour_space"] = common.colour_space;

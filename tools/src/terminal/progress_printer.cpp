@@ -39,12 +39,6 @@ std::string bar_text(double share, size_t room)
     return "[" + bar + "] ";
 }
 
-const char* name_of(baker::Stage stage)
-{
-    constexpr const char* kNames[] = {"light", "mesh", "solving", "training", "measuring"};
-    return kNames[static_cast<size_t>(stage)];
-}
-
 double share_done(const baker::Progress& progress)
 {
     if (progress.share >= 0) return progress.share;
@@ -54,10 +48,16 @@ double share_done(const baker::Progress& progress)
 
 }  // namespace
 
+const char* stage_name(baker::Stage stage)
+{
+    constexpr const char* kNames[] = {"light", "mesh", "solving", "training", "measuring"};
+    return kNames[static_cast<size_t>(stage)];
+}
+
 std::string progress_text(const baker::Progress& progress)
 {
     const bool is_whole = progress.share >= 0;
-    const std::string stage = is_whole || progress.stage != baker::Stage::light ? name_of(progress.stage) : "";
+    const std::string stage = is_whole || progress.stage != baker::Stage::light ? stage_name(progress.stage) : "";
     const std::string share = std::to_string(static_cast<int>(std::floor(100 * share_done(progress)))) + " %";
     std::string text = is_whole ? share + "  " + stage : stage + (stage.empty() ? "" : " ") + share;
     if (progress.rays_per_second > 0) text += "  " + count_text(progress.rays_per_second) + " rays/s";
@@ -203,7 +203,7 @@ constexpr double kSecondsBetweenObjects = 1;
 std::string progress_json(const baker::Progress& progress, const char* state)
 {
     nlohmann::json line = {{"state", state},
-                           {"stage", name_of(progress.stage)},
+                           {"stage", stage_name(progress.stage)},
                            {"rays_done", progress.rays_done},
                            {"rays_total", progress.rays_total},
                            {"rays_saved", progress.rays_saved},

@@ -18,6 +18,9 @@
 namespace lumi::tools
 {
 
+// "light", "mesh" and so on.
+const char* stage_name(baker::Stage stage);
+
 // "43 %  1.24 M rays/s  1:12 left", "mesh 43 %  0:05 left"; of a longer work "43 %  mesh  0:05 left". Without what is
 // not known yet.
 std::string progress_text(const baker::Progress& progress);

@@ -32,6 +32,7 @@ struct SurfaceSettings {
     bool view_tables = true;  // false: colours do not depend on the direction of view
     bool fills = false;       // texels_per_radius also where fewer texels would show as much
     bool ground = false;      // a soft shadow below the object, on a level ground that is not drawn
+    bool draft = false;       // the file says that it is a first look
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
 };
