@@ -31,7 +31,8 @@ struct LitPose {
     Ray posed(const Ray& ray) const;
 };
 
-// Holds the scenes that light a surface field's triangles: the body's is the body alone, a part's both. So no part casts a shadow that would stay where it is. Where nothing moves, it is the scene.
+// Holds the scenes that light a surface field's triangles: the body's is the body alone, a part's both. So no part
+// casts a shadow that would stay where it is. Where nothing moves, it is the scene.
 class LitScenes
 {
 public:

@@ -23,8 +23,8 @@ constexpr int32_t backdrop_share(int32_t x, int32_t y, int32_t width_px, int32_t
     return static_cast<int32_t>(256 - 256 * (across * across + down * down) / corner);
 }
 
-// Makes a display's pixel over the backdrop of what it shows there over both greys. Formats of 16 bits have too few greys for a gradient: they are dithered in order (Bayer), 4 × 4 pixels, where the backdrop
-// shows.
+// Makes a display's pixel over the backdrop of what it shows there over both greys. Formats of 16 bits have too few
+// greys for a gradient: they are dithered in order (Bayer), 4 × 4 pixels, where the backdrop shows.
 template <class Pixel>
 Rgb8 over_backdrop(const Rgb8& over_corner, const Rgb8& over_middle, int32_t share, int32_t x, int32_t y)
 {
