@@ -163,7 +163,7 @@ TEST_CASE("Ctrl-C ends a command that waits for a pipe's other end")
     REQUIRE(mkfifo(pipe.c_str(), S_IRUSR | S_IWUSR) == 0);
     const std::string render = std::string(LUMI_PROGRAM) + " render " + folder / "f.lumi" + " --size 8x8 -o ";
     for (const std::string& call : {render + pipe, render + folder / "o.png" + " --pose " + pipe}) {
-        check_refused(test::run_program({"sh", "-c", "timeout --preserve-status -k 20 -s INT 1 " + call}), 130,
+        check_refused(test::run_program({"sh", "-c", "timeout --preserve-status -k 20 -s INT 3 " + call}), 130,
                       "interrupted");
     }
 }
