@@ -39,6 +39,7 @@ set(LUMI_POLICIES_cortex-m55 each)
 # itself. OpenVDB, which reads its own files and makes iso-surfaces, is not built there.
 set(LUMI_PLAIN_FILES
   core/lattice/
+  core/chord/exact_test.cpp
   core/chord/linear_test.cpp
   core/chord/nine_taps_test.cpp
   core/chord/one_tap_test.cpp

@@ -9,6 +9,7 @@ set(LUMI_CORE_TEST_SOURCES
   chord/sphere_test.cpp
   chord/cover_test.cpp
   chord/cut_columns_test.cpp
+  chord/exact_test.cpp
   chord/extreme_chord_test.cpp
   chord/interlaced_test.cpp
   chord/linear_test.cpp
