@@ -91,6 +91,13 @@ bool is_shadow(const PatchMesh& mesh, uint32_t patch)
     return patch < mesh.opaque_patches() + mesh.ground_patches || mesh.owner_of(patch) != 0;
 }
 
+bool has_shadows_alone(const PatchMesh& mesh)
+{
+    for (uint32_t p = mesh.opaque_patches(); p < mesh.patches.size(); ++p)
+        if (!is_shadow(mesh, p)) return false;
+    return true;
+}
+
 // In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches. A
 // shadow fades to nothing: its border counts as its own neighbour, so that no outline is drawn there.
 std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
@@ -108,6 +115,7 @@ std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
 struct Contents {
     uint32_t type;
     std::vector<uint8_t> bytes;
+    bool is_required = true;
 };
 
 // By vertex: 0 for the body, k for part k - 1. Parts share no vertices.
@@ -164,7 +172,7 @@ std::vector<uint8_t> surface_section(const FitShape& shape, const FieldParts& pa
     b.put16(at::kVerticesAt, static_cast<uint16_t>(shape.mesh.positions.size()));
     b.put16(at::kViewedAt, static_cast<uint16_t>(viewed));
     b.put16(at::kPatchesAt, static_cast<uint16_t>(shape.mesh.patches.size()));
-    b.put16(at::kFlagsAt, 0);
+    b.put16(at::kShadowsAt, static_cast<uint16_t>(has_shadows_alone(shape.mesh) ? shape.mesh.see_through_patches : 0));
     b.put32(at::kTexelsAt, shape.layout.texels);
     b.put8(at::kColourSpaceAt, static_cast<uint8_t>(ColourSpace::srgb));
     b.put8(at::kLongestEdgeAt, edge_steps(shape.mesh.longest_edge));
@@ -323,7 +331,7 @@ std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
     std::vector<Section> sections;
     for (const Contents& part : contents) {
         sections.push_back({part.type, part.bytes.size(), crc_of(part.bytes)});
-        if (part.type == detail::format::kDraftSection) sections.back().flags = 0;
+        if (!part.is_required) sections.back().flags = 0;
     }
     std::vector<uint8_t> file = file_head(sections);
     for (const Contents& part : contents) {
@@ -346,10 +354,11 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
                                       {detail::format::kNeighbourSection, neighbour_section(shape)}};
     if (order.viewed != 0) contents.push_back({detail::format::kViewSection, view_section(shape, parts, order)});
     if (shape.mesh.see_through_patches != 0)
-        contents.push_back({detail::format::kSeeThroughSection, see_through_section(shape, parts)});
+        contents.push_back(
+            {detail::format::kSeeThroughSection, see_through_section(shape, parts), !has_shadows_alone(shape.mesh)});
     if (!shape.mesh.parts.empty())
         contents.push_back({detail::format::kPartsSection, parts_section(shape.mesh, order)});
-    if (parts.is_draft) contents.push_back({detail::format::kDraftSection, std::vector<uint8_t>(4)});
+    if (parts.is_draft) contents.push_back({detail::format::kDraftSection, std::vector<uint8_t>(4), false});
     return file_of(contents);
 }
 

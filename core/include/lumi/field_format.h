@@ -70,7 +70,7 @@ inline constexpr uint32_t kColourSection = four_cc('S', 'T', 'E', 'X');     // r
 inline constexpr uint32_t kPaletteRgb = four_cc('S', 'P', 'A', 'L');        // required, 256 × (r, g, b)
 inline constexpr uint32_t kViewSection = four_cc('S', 'V', 'I', 'E');       // view tables, where there are any
 inline constexpr uint32_t kNeighbourSection = four_cc('S', 'N', 'E', 'I');  // optional, patches × kNeighbourBytes
-// Where there are see-through patches, required: kSeeThroughBytes.
+// Where there are see-through patches, kSeeThroughBytes; required unless all of them are shadows.
 inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
 // Where parts move, required: 4 + parts × kPartBytes.
 inline constexpr uint32_t kPartsSection = four_cc('S', 'P', 'R', 'T');

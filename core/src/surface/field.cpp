@@ -44,7 +44,7 @@ FieldError read_counts(const uint8_t* b, SurfaceField& out)
 
 FieldError read_surface(const uint8_t* b, SurfaceField& out)
 {
-    if (load_u16(b + surface::kFlagsAt) != 0 || b[surface::kReservedAt] != 0) return FieldError::bad_surface;
+    if (b[surface::kReservedAt] != 0) return FieldError::bad_surface;
     if (b[surface::kColourSpaceAt] >= kColourSpaces) return FieldError::bad_colour_space;
     out.colour_space = static_cast<ColourSpace>(b[surface::kColourSpaceAt]);
     BoundsBits bounds;
@@ -153,7 +153,12 @@ FieldError detail::open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures 
     if (header.size != kSurfaceBytes) return FieldError::bad_surface;
     if (const FieldError error = read_surface(bytes + header.offset, out); error != FieldError::none) return error;
     if (const FieldError error = read_sections(bytes, out); error != FieldError::none) return error;
-    return check_mesh(out);
+    const uint32_t shadows = load_u16(bytes + header.offset + surface::kShadowsAt);
+    if (shadows >= out.patch_count || (shadows != 0 && !has_section(bytes, kSeeThroughSection)))
+        return FieldError::bad_surface;
+    const FieldError error = check_mesh(out);
+    if (!has(known, SurfaceFeatures::see_through)) out.patch_count = static_cast<uint16_t>(out.patch_count - shadows);
+    return error;
 }
 
 FieldError detail::read_see_through(const uint8_t* bytes, SurfaceField& field)

@@ -125,6 +125,9 @@ TEST_CASE(
     CHECK(field.patch_count == plain.patch_count);
     CHECK(plain.see_through_count == 0);
     CHECK(std::equal(field.sphere, field.sphere + 16, plain.sphere));
+    SurfaceField alone;  // as firmware without see-through patches has it
+    REQUIRE(open_surface(reinterpret_cast<const uint8_t*>(with.data()), with.size(), alone) == FieldError::none);
+    CHECK(alone.patch_count == plain.patch_count);
     REQUIRE(field.see_through_count > 0);
     int32_t lowest = INT32_MAX;
     for (uint32_t v = 0; v < plain.vertex_count; ++v)
@@ -158,6 +161,7 @@ TEST_CASE("ground shadow: panes keep most of the palette that both share")
         field.see_through + detail::format::see_through::kPaletteAt + 255 * detail::format::see_through::kEntryBytes;
     CHECK(int{last[0]} == 0);
     CHECK(int{last[3]} == 255);
+    CHECK(open_surface(reinterpret_cast<const uint8_t*>(file.data()), file.size(), field) == FieldError::see_through);
 }
 
 }  // namespace lumi::baker::testing

@@ -102,8 +102,8 @@ TEST_CASE("sections of surface fields that are cut or missing are refused by nam
 TEST_CASE("values out of range in surface fields are refused by name")
 {
     CHECK(opened_with([](TestSurface& s) { s.reserved = 1; }) == FieldError::bad_surface);
-    for (uint32_t flag = 1; flag <= 0x8000; flag *= 2)
-        CHECK(opened_with([flag](TestSurface& s) { s.flags = flag; }) == FieldError::bad_surface);
+    for (uint32_t shadows = 1; shadows <= 0x8000; shadows *= 2)
+        CHECK(opened_with([shadows](TestSurface& s) { s.shadows = shadows; }) == FieldError::bad_surface);
     CHECK(opened_with([](TestSurface& s) { s.colour_space = 1; }) == FieldError::bad_colour_space);
     CHECK(opened_with([](TestSurface& s) { s.longest_edge_q6 = 0; }) == FieldError::bad_surface);
     CHECK(opened_with([](TestSurface& s) { s.longest_edge_q6 = 129; }) == FieldError::bad_surface);

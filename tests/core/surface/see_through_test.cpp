@@ -379,6 +379,35 @@ TEST_CASE("glass is refused by name where nothing draws it, and where there is m
     CHECK(enough.draw({pixels, 0, 16, kSide, 8, 2 * kSide}) == ViewError::none);
 }
 
+TEST_CASE("a reader without see-through parts leaves shadows out, and draws the rest")
+{
+    TestSurface s = bumpy_ball();
+    const auto patches = static_cast<uint32_t>(s.patches.size());
+    const auto file_with = [&](uint32_t shadows, uint32_t flags) {
+        s.shadows = shadows;
+        std::vector<TestSection> sections = see_through_sections(s, kFirstOfBall, many_glasses());
+        sections.back().flags = flags;
+        return file_of(sections);
+    };
+    const auto opened = [](const Bytes& file) {
+        SurfaceField field;
+        return open_surface(file.data(), file.size(), field);
+    };
+    CHECK(opened(file_with(patches, 0)) == FieldError::bad_surface);
+    CHECK(opened(file_with(patches - kFirstOfBall, format::kRequired)) == FieldError::see_through);
+    const Bytes file = file_with(patches - kFirstOfBall, 0);
+    SurfaceField alone, whole;
+    REQUIRE(open_surface(file.data(), file.size(), alone) == FieldError::none);
+    REQUIRE(open_surface<SurfaceFeatures::all>(file.data(), file.size(), whole) == FieldError::none);
+    CHECK(alone.patch_count == kFirstOfBall);
+    CHECK(whole.see_through_count == patches - kFirstOfBall);
+    whole.see_through_count = 0;
+    const test::View view = extreme_views(kSide)[0];
+    for (const SurfaceMode mode : kSurfaceModes)
+        CHECK(drawn<PixelRgb565>(alone, view, mode, OverBlack{}).pixels() ==
+              drawn<PixelRgb565>(whole, view, mode, OverBlack{}).pixels());
+}
+
 TEST_CASE("sections of see-through parts that are wrong are refused by name")
 {
     const TestSurface ball = bumpy_ball();

@@ -26,7 +26,7 @@ struct TestSurface {
     uint32_t viewed = 0;  // the first so many vertices have view tables
     uint32_t code_bits = 4;
     bool has_neighbours = true;
-    uint32_t flags = 0, colour_space = 0, longest_edge_q6 = 128, reserved = 0;
+    uint32_t shadows = 0, colour_space = 0, longest_edge_q6 = 128, reserved = 0;
     float centre[3] = {1, 2, 3};
     float radius = 4;
 };
@@ -44,7 +44,7 @@ inline TestSection surface_section(const TestSurface& s)
     put16(b, static_cast<uint32_t>(s.vertices.size()));
     put16(b, s.viewed);
     put16(b, static_cast<uint32_t>(s.patches.size()));
-    put16(b, s.flags);
+    put16(b, s.shadows);
     put32(b, static_cast<uint32_t>(s.texels.size()));
     b.push_back(static_cast<uint8_t>(s.colour_space));
     b.push_back(static_cast<uint8_t>(s.longest_edge_q6));

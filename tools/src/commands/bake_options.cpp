@@ -177,9 +177,10 @@ void add_surface_options(CLI::App& command, BakeOptions& options)
     command.add_flag_callback(
         "--no-view-tables", [&s] { s.view_tables = false; },
         "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
-    command.add_flag("--ground", s.ground,
-                     "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware needs "
-                     "a view with see-through patches, as `lumi embed` writes it");
+    command.add_flag(
+        "--ground", s.ground,
+        "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware without "
+        "see-through patches leaves it out");
     command.add_flag("--draft", options.draft,
                      "surface: a first look in some ten seconds, coarse and noisy; the file says that it is one");
     command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");

@@ -20,10 +20,12 @@ namespace lumi::detail::format
 inline constexpr uint32_t kSurfaceBytes = 32;
 namespace surface
 {
-inline constexpr uint32_t kVerticesAt = 0;      // u16, 3 .. kMaxSurfaceVertices
-inline constexpr uint32_t kViewedAt = 2;        // u16, vertices 0 .. this - 1 have a view table; 0: no kViewSection
-inline constexpr uint32_t kPatchesAt = 4;       // u16, 1 .. kMaxPatches
-inline constexpr uint32_t kFlagsAt = 6;         // u16, 0: there are none
+inline constexpr uint32_t kVerticesAt = 0;  // u16, 3 .. kMaxSurfaceVertices
+inline constexpr uint32_t kViewedAt = 2;    // u16, vertices 0 .. this - 1 have a view table; 0: no kViewSection
+inline constexpr uint32_t kPatchesAt = 4;   // u16, 1 .. kMaxPatches
+// u16, below the number of patches: the last so many only darken what lies behind, so a reader that has no see-through
+// patches leaves them out, and kSeeThroughSection is optional. 0: it is required, or there are none.
+inline constexpr uint32_t kShadowsAt = 6;
 inline constexpr uint32_t kTexelsAt = 8;        // u32, length of the texel section, 1 .. kMaxSurfaceTexels
 inline constexpr uint32_t kColourSpaceAt = 12;  // u8, ColourSpace
 inline constexpr uint32_t kLongestEdgeAt = 13;  // u8, of any triangle, steps of 1/64 radius, rounded up, 1 .. 128
