@@ -38,26 +38,33 @@ public:
         if (!turn(part, value)) REQUIRE(slide(part, static_cast<int32_t>(value)));
     }
 
+    template <SurfaceFeatures kFeatures = kAll>
     Bytes look(const Pose& pose, const Image& image, SurfaceMode mode)
     {
         SurfaceCamera camera;
         REQUIRE(make_surface_camera(pose, image, camera) == CameraError::none);
-        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(field_, camera, mode, made_.memory, made_.frame);
-        return picture(image);
+        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(field_, camera, mode, made_.memory,
+                                                                         made_.frame);
+        return picture<kFeatures>(image);
     }
-    Bytes look(const test::View& view, SurfaceMode mode) { return look(view.pose, view.image, mode); }
+    template <SurfaceFeatures kFeatures = kAll>
+    Bytes look(const test::View& view, SurfaceMode mode)
+    {
+        return look<kFeatures>(view.pose, view.image, mode);
+    }
 
     const SurfaceFrame& frame() const { return made_.frame; }
     bool keeps_body() { return moving_parts(field_, made_.memory).keeps_body; }
 
 private:
+    template <SurfaceFeatures kFeatures>
     Bytes picture(const Image& image) const
     {
         const uint32_t stride = 3 * static_cast<uint32_t>(image.width_px);
         Bytes pixels(stride * static_cast<size_t>(image.height_px), 0xA5);
         std::vector<uint32_t> samples((surface_stripe_bytes(image.width_px, image.height_px, made_.frame.mode) + 3) /
                                       4);
-        render_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(
+        render_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(
             made_.frame, OverColour{kSurfaceBackground}, {pixels.data(), 0, 0, image.width_px, image.height_px, stride},
             samples.data());
         return pixels;
@@ -347,6 +354,32 @@ TEST_CASE("a shadow moves with its part about an axis of its own, and nothing mo
         seen += glass != opaque && both.frame().see_through_triangles != 0 ? 1 : 0;
     }
     CHECK(seen > kMoves / 40);
+}
+
+TEST_CASE("a reader of parts without see-through patches leaves their shadows out")
+{
+    constexpr SurfaceFeatures kOpaque = SurfaceFeatures::view_tables | SurfaceFeatures::parts;
+    TestMover m = shaded_ball(0);
+    m.all.shadows = static_cast<uint32_t>(m.all.patches.size()) - m.opaque;
+    std::vector<TestSection> sections = mover_sections(m);
+    for (TestSection& section : sections)
+        if (section.type == format::kSeeThroughSection) section.flags = 0;
+    const Opened<kOpaque> shaded(file_of(sections)), plain(mover_file(moving_ball()));
+    REQUIRE(shaded.error() == FieldError::none);
+    CHECK(mover_count(shaded.field()) == 3);
+    CHECK(shaded.field().part_count == 5);
+    CHECK(shaded.field().patch_count == plain.field().patch_count);
+    Mover without(plain.field()), with(shaded.field());
+    std::minstd_rand random(11);
+    for (int k = 0; k < kMoves / 20; ++k) {
+        for (uint32_t part = 0; part < 3; ++part) {
+            const uint32_t value = any_value(plain.field(), part, random);
+            without.set(part, value);
+            with.set(part, value);
+        }
+        const test::View view = random_view(random, kSide);
+        CHECK(with.look<kOpaque>(view, kSurfaceModes[k % 3]) == without.look<kOpaque>(view, kSurfaceModes[k % 3]));
+    }
 }
 
 TEST_CASE("a frame in which nothing moves changes nothing, and the first changes all")
