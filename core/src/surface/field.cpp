@@ -156,9 +156,8 @@ FieldError detail::open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures 
     const uint32_t shadows = load_u16(bytes + header.offset + surface::kShadowsAt);
     if (shadows >= out.patch_count || (shadows != 0 && !has_section(bytes, kSeeThroughSection)))
         return FieldError::bad_surface;
-    const FieldError error = check_mesh(out);
     if (!has(known, SurfaceFeatures::see_through)) out.patch_count = static_cast<uint16_t>(out.patch_count - shadows);
-    return error;
+    return check_mesh(out);
 }
 
 FieldError detail::read_see_through(const uint8_t* bytes, SurfaceField& field)
