@@ -3,13 +3,12 @@
 #include <memory>
 
 #include "../planner/chord_plan.h"
-#include "../quality/measured.h"
 #include "commands/bake_options.h"
 #include "commands/bake_summary.h"
 #include "commands/commands.h"
 #include "commands/device_figures.h"
+#include "commands/layout_trial.h"
 #include "files/output_file.h"
-#include "files/temporary_folder.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"
@@ -20,52 +19,6 @@ namespace lumi::tools
 
 namespace
 {
-
-constexpr uint32_t kTrialPaths = 4;  // light paths a texel: at the few dB that are in doubt, noise does not decide
-
-class TrialFolder
-{
-public:
-    TrialFolder() : path_(new_temporary_folder("choose a layout: --layout surface or --layout chord")) {}
-    ~TrialFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TrialFolder(const TrialFolder&) = delete;
-    TrialFolder& operator=(const TrialFolder&) = delete;
-
-    std::filesystem::path field() const { return path_ / "trial.lumi"; }
-
-private:
-    std::filesystem::path path_;
-};
-
-struct LayoutTrial {
-    double surface_db, chord_db;  // as quality::quick_psnr_db says
-};
-
-// Bakes both layouts with few light paths and measures which shows more of the scene. Takes seconds, and disk for a
-// field of each while it lasts.
-LayoutTrial tried_layouts(const baker::Scene& scene, const baker::SurfacePlan& surface,
-                          const baker::BakeSettings& chord, const baker::ProgressCallback& progress)
-{
-    const TrialFolder folder;
-    const auto measured = [&] {
-        const FieldFile field(folder.field().string(), FieldFile::Role::own_output);
-        return quality::quick_psnr_db(scene, field, static_cast<double>(surface.settings.cap), chord.threads, progress);
-    };
-    LayoutTrial trial = {};
-    baker::BakeSettings few = chord;
-    few.samples = std::min(few.samples, kTrialPaths);
-    baker::bake_field(scene, few, folder.field(), progress);
-    trial.chord_db = measured();
-    baker::SurfacePlan plan = surface;
-    plan.settings.paths_per_texel = std::min(plan.settings.paths_per_texel, kTrialPaths);
-    baker::bake_surface(scene, plan, folder.field(), progress);
-    trial.surface_db = measured();
-    return trial;
-}
 
 // Where a bake writes.
 struct Output {
