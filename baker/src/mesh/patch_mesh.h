@@ -24,9 +24,8 @@ class BakeStages;
 struct MovingPart {
     std::string name;  // 1 .. 40 bytes of UTF-8
     bool slides = false;
-    bool light_stays =
-        false;         // where it turns and looks along its axis: the eye of its view tables does not turn with it
-    Vec3 axis, pivot;  // unit length; a point of the axis, of a turn
+    bool light_stays = false;  // it turns, and the eye of its view tables does not turn with it
+    Vec3 axis, pivot;          // unit length; a point of the axis, of a turn
     double from = 0, to = 1;
     uint32_t first_patch = 0;  // its patches run to the next part's, the last part's to the end of the opaque ones
     uint32_t follows = 0;      // k: the shadow of parts[k - 1], which moves as that does; such ones come last

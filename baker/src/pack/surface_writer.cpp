@@ -290,10 +290,17 @@ void put_vector(Bytes& b, size_t at, const Vec3& v, double one)
     }
 }
 
+detail::format::Motion motion_of(const MovingPart& part)
+{
+    using detail::format::Motion;
+    if (part.slides) return Motion::slide;
+    return part.light_stays ? Motion::turn_below_light : Motion::turn;
+}
+
 void put_part(Bytes& b, size_t record, const MovingPart& part)
 {
     namespace at = detail::format::part;
-    b.put8(record + at::kMotionAt, part.slides ? 1 : part.light_stays ? 2 : 0);
+    b.put8(record + at::kMotionAt, static_cast<uint8_t>(motion_of(part)));
     b.put8(record + at::kFollowsAt, static_cast<uint8_t>(part.follows));
     put_vector(b, record + at::kAxisAt, part.axis, kOneQ30);
     if (!part.slides) put_vector(b, record + at::kPivotAt, part.pivot, kOneQ20);

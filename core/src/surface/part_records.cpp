@@ -11,8 +11,7 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr uint8_t kSlides = 1, kLightStays = 2;  // of kMotionAt
-constexpr int32_t kFarthestQ20 = 2 * kOneQ20;    // pivots, and ends of slides
+constexpr int32_t kFarthestQ20 = 2 * kOneQ20;  // pivots, and ends of slides
 
 int32_t load_s32(const uint8_t* p)
 {
@@ -44,7 +43,7 @@ bool is_name_or_none(const uint8_t* text)
 
 bool is_record(const uint8_t* record, const PartMotion& m)
 {
-    if (record[part::kMotionAt] > kLightStays || !is_unit(m.axis)) return false;
+    if (record[part::kMotionAt] >= kMotions || !is_unit(m.axis)) return false;
     if (!is_near(m.pivot.x) || !is_near(m.pivot.y) || !is_near(m.pivot.z)) return false;
     if (m.slides &&
         ((m.pivot.x | m.pivot.y | m.pivot.z) != 0 || !is_near(m.from) || !is_near(int64_t{m.from} + m.span)))
@@ -152,8 +151,9 @@ PartMotion part_motion(const SurfaceField& field, uint32_t part)
 {
     const uint8_t* const r = part_record(field, part);
     const uint8_t *const axis = r + part::kAxisAt, *const pivot = r + part::kPivotAt;
-    return {r[part::kMotionAt] == kSlides,
-            r[part::kMotionAt] == kLightStays,
+    const Motion motion = static_cast<Motion>(r[part::kMotionAt]);
+    return {motion == Motion::slide,
+            motion == Motion::turn_below_light,
             {load_s32(axis), load_s32(axis + 4), load_s32(axis + 8)},
             {load_s32(pivot), load_s32(pivot + 4), load_s32(pivot + 8)},
             load_s32(r + part::kFromAt),

@@ -100,12 +100,16 @@ inline constexpr uint32_t kSeeThroughBytes = see_through::kPaletteAt + kPaletteE
 inline constexpr uint32_t kMaxParts = 16;
 inline constexpr uint32_t kPartsHeaderBytes = 4;
 inline constexpr uint32_t kPartBytes = 80;
+
+// A part that turns below its light has view tables for the eye that does not turn with it.
+enum class Motion : uint8_t { turn = 0, slide = 1, turn_below_light = 2 };
+inline constexpr uint32_t kMotions = 3;
 namespace part
 {
 inline constexpr uint32_t kFirstViewedAt = 0;  // u16, <= kViewedAt's number
 inline constexpr uint32_t kFirstPlainAt = 2;   // u16, from there on up to kVerticesAt's
 inline constexpr uint32_t kFirstPatchAt = 4;   // u16
-inline constexpr uint32_t kMotionAt = 6;       // u8, 0: it turns, 1: it slides, 2: it turns below its light
+inline constexpr uint32_t kMotionAt = 6;       // u8, Motion
 inline constexpr uint32_t kFollowsAt = 7;      // u8, 0: it moves by itself; k: it is a shadow of part k - 1
 inline constexpr uint32_t kAxisAt = 8;         // 3 × s32, Q30, of unit length within 2^-12
 inline constexpr uint32_t kPivotAt = 20;       // 3 × s32, Q20, a point of the axis, each within 2 radii; slides: 0
