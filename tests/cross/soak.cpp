@@ -164,6 +164,70 @@ void draw_twice(const Size& size, bool whole_rows, const Between& between, const
     if (std::memcmp(whole, parts, bytes) != 0) fail("stripes show other bits than the whole frame");
 }
 
+struct Look {
+    Size size;
+    SurfaceMode mode;
+    SurfaceCamera camera;
+    SurfaceMemory memory;
+};
+
+template <class Pixel, SurfaceFeatures kFeatures>
+void prepare(const SurfaceField& field, const Look& look)
+{
+    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, look.camera, look.mode, look.memory, frame);
+}
+
+// begin(look) prepares the frame that is drawn whole, again(look) the same for its stripes, in another way.
+template <class Pixel, SurfaceFeatures kFeatures, class Background, class Begin, class Again>
+void draw_surface_twice(const SurfaceField& field, const Background& background, const Begin& begin, const Again& again)
+{
+    Look look;
+    look.size = random_size();
+    const Orbit orbit = random_orbit();
+    look.mode = static_cast<SurfaceMode>(random_of(3));
+    const uint32_t band_log2 = static_cast<uint32_t>(random_of(6));
+    if (make_surface_camera(pose_of(orbit), image_of(orbit, look.size.width, look.size.height), look.camera) !=
+        CameraError::none) {
+        ++refused;
+        return;
+    }
+    look.memory = memory_of(field, look.size.height, band_log2);
+    begin(look);
+    draw_twice<Pixel>(
+        look.size, false, [&] { again(look); },
+        [&](const Stripe& stripe) {
+            const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, look.mode);
+            render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame, background, stripe,
+                                                                      sample_memory.of(bytes));
+            sample_memory.check("written beside the samples");
+        });
+    vertex_memory.check("written beside the vertices");
+    link_memory.check("written beside the links");
+    band_memory.check("written beside the bands");
+    see_through_memory.check("written beside the see-through triangles and parts");
+}
+
+// One core prepares the frame; every other time both prepare it again.
+template <class Pixel, SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Background>
+void draw_surface(const SurfaceField& field, const Background& background)
+{
+    const auto prepare_in_halves = [&](const Look& look) {
+        if (random_of(2) == 0) return;
+        const uint32_t bands = surface_bands(look.size.height, look.memory.band_log2);
+        halves.bands = reinterpret_cast<uint16_t*>(second_band_memory.of(2 * bands));
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(
+            field, look.camera, look.mode, look.memory, frame, halves,
+            [](int32_t step) {
+                const uint32_t first = static_cast<uint32_t>(random_of(2));
+                prepare_half(halves, step, first);
+                prepare_half(halves, step, 1 - first);
+            });
+        second_band_memory.check("written beside the second half's bands");
+    };
+    draw_surface_twice<Pixel, kFeatures>(
+        field, background, [&](const Look& look) { prepare<Pixel, kFeatures>(field, look); }, prepare_in_halves);
+}
+
 void move_all(const SurfaceField& field, const SurfaceMemory& memory)
 {
     for (uint32_t part = 0; part < field.part_count; ++part) {
@@ -173,101 +237,29 @@ void move_all(const SurfaceField& field, const SurfaceMemory& memory)
     }
 }
 
-// What parts have come to, and back to it.
-struct PartValues {
-    uint32_t of[format::kMaxParts];
-
-    static uint32_t& value(const SurfaceField& field, const SurfaceMemory& memory, uint32_t part)
-    {
-        return moving_part(moving_parts(field, memory), part).value;
-    }
-    void keep(const SurfaceField& field, const SurfaceMemory& memory)
-    {
-        for (uint32_t k = 0; k < field.part_count; ++k) of[k] = value(field, memory, k);
-    }
-    void restore(const SurfaceField& field, const SurfaceMemory& memory) const
-    {
-        for (uint32_t k = 0; k < field.part_count; ++k) value(field, memory, k) = of[k];
-    }
-};
-
-// The frame is drawn whole; before it is drawn in stripes, parts leave it some times and come back.
+// Parts move; then they leave their poses some times and come back.
 template <class Pixel, class Background>
 void draw_moving(const SurfaceField& field, const Background& background)
 {
     constexpr SurfaceFeatures kAll = SurfaceFeatures::all;
-    const Size size = random_size();
-    const Orbit orbit = random_orbit();
-    const SurfaceMode mode = static_cast<SurfaceMode>(random_of(3));
-    SurfaceCamera camera;
-    if (make_surface_camera(pose_of(orbit), image_of(orbit, size.width, size.height), camera) != CameraError::none) {
-        ++refused;
-        return;
-    }
-    const SurfaceMemory memory = memory_of(field, size.height, static_cast<uint32_t>(random_of(6)));
-    rest_parts(field, memory);
-    frame.width_px = 0;  // of no field
-    const auto prepare = [&] {
-        prepare_surface<Pixel, SurfaceMode::two_by_two, kAll>(field, camera, mode, memory, frame);
+    const auto begin = [&](const Look& look) {
+        rest_parts(field, look.memory);
+        frame.width_px = 0;  // of no field
+        move_all(field, look.memory);
+        prepare<Pixel, kAll>(field, look);
     };
-    move_all(field, memory);
-    prepare();
-    const auto leave_and_come_back = [&] {
-        PartValues values;
-        values.keep(field, memory);
-        for (int32_t k = random_of(3); k > 0; --k) {
-            move_all(field, memory);
-            prepare();
+    const auto leave_and_come_back = [&](const Look& look) {
+        uint32_t values[format::kMaxParts];
+        SurfaceParts& parts = moving_parts(field, look.memory);
+        for (uint32_t k = 0; k < field.part_count; ++k) values[k] = moving_part(parts, k).value;
+        for (int32_t times = random_of(3); times > 0; --times) {
+            move_all(field, look.memory);
+            prepare<Pixel, kAll>(field, look);
         }
-        values.restore(field, memory);
-        prepare();
+        for (uint32_t k = 0; k < field.part_count; ++k) moving_part(parts, k).value = values[k];
+        prepare<Pixel, kAll>(field, look);
     };
-    draw_twice<Pixel>(size, false, leave_and_come_back, [&](const Stripe& stripe) {
-        const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
-        render_surface<Pixel, SurfaceMode::two_by_two, kAll>(frame, background, stripe, sample_memory.of(bytes));
-        sample_memory.check("written beside the samples");
-    });
-    vertex_memory.check("written beside the vertices");
-    link_memory.check("written beside the links");
-    band_memory.check("written beside the bands");
-    see_through_memory.check("written beside the parts");
-}
-
-// The frame of one core is drawn whole; every other time, the frame prepared in halves is drawn in stripes.
-template <class Pixel, SurfaceFeatures kFeatures = SurfaceFeatures::view_tables, class Background>
-void draw_surface(const SurfaceField& field, const Background& background)
-{
-    const Size size = random_size();
-    const Orbit orbit = random_orbit();
-    const SurfaceMode mode = static_cast<SurfaceMode>(random_of(3));
-    const uint32_t band_log2 = static_cast<uint32_t>(random_of(6));
-    SurfaceCamera camera;
-    if (make_surface_camera(pose_of(orbit), image_of(orbit, size.width, size.height), camera) != CameraError::none) {
-        ++refused;
-        return;
-    }
-    const SurfaceMemory memory = memory_of(field, size.height, band_log2);
-    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, camera, mode, memory, frame);
-    const auto prepare_in_halves = [&] {
-        if (random_of(2) == 0) return;
-        halves.bands = reinterpret_cast<uint16_t*>(second_band_memory.of(2 * surface_bands(size.height, band_log2)));
-        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(
-            field, camera, mode, memory, frame, halves, [](int32_t step) {
-                const uint32_t first = static_cast<uint32_t>(random_of(2));
-                prepare_half(halves, step, first);
-                prepare_half(halves, step, 1 - first);
-            });
-        second_band_memory.check("written beside the second half's bands");
-    };
-    draw_twice<Pixel>(size, false, prepare_in_halves, [&](const Stripe& stripe) {
-        const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode);
-        render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame, background, stripe, sample_memory.of(bytes));
-        sample_memory.check("written beside the samples");
-    });
-    vertex_memory.check("written beside the vertices");
-    link_memory.check("written beside the links");
-    band_memory.check("written beside the bands");
-    see_through_memory.check("written beside the see-through triangles");
+    draw_surface_twice<Pixel, kAll>(field, background, begin, leave_and_come_back);
 }
 
 template <class Reconstruction, class Pixel, class Background>
