@@ -97,7 +97,7 @@ baker::SurfaceLimits limits_of(const CLI::App& command, const BakeOptions& optio
 {
     const auto given = [&](const char* name) { return command.count(name) > 0; };
     const bool is_planned =
-        options.fit.wanted() || (!options.draft && !given("--triangles") && !given("--texel-density"));
+        options.fit.wanted() || (!options.surface.draft && !given("--triangles") && !given("--texel-density"));
     baker::SurfaceLimits limits;
     if (options.fit.wanted()) limits.bytes = options.fit.budget_bytes();
     if (!is_planned) limits.bytes = UINT32_MAX;
@@ -156,9 +156,8 @@ void add_field_options(CLI::App& command, BakeOptions& options)
     add_screen_options(command, options.screen);
 }
 
-void add_surface_options(CLI::App& command, BakeOptions& options)
+void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
 {
-    baker::SurfaceSettings& s = options.surface;
     const OptionGroup group(command, "Surface fields");
     command.add_option("--triangles", s.triangles, "surface: triangles of the mesh, before long edges are split")
         ->type_name("T")
@@ -181,7 +180,7 @@ void add_surface_options(CLI::App& command, BakeOptions& options)
         "--ground", s.ground,
         "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware without "
         "see-through patches leaves it out");
-    command.add_flag("--draft", options.draft,
+    command.add_flag("--draft", s.draft,
                      "surface: a first look in some ten seconds, coarse and noisy; the file says that it is one");
     command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
@@ -205,7 +204,6 @@ void set_draft(const CLI::App& command, BakeOptions& options)
     if (const char* chosen = first_given(command, kOfDraft))
         throw UsageError(std::string("--draft chooses ") + chosen + " itself; leave one of them out");
     baker::SurfaceSettings& s = options.surface;
-    s.draft = true;
     s.triangles = 2000;
     s.longest_edge = 0.4f;
     s.texels_per_radius = 40;
@@ -291,7 +289,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options)
     add_scene_options(command, options.scene);
     add_part_option(command, options.scene.parts, PartWords::motion);
     add_field_options(command, options);
-    add_surface_options(command, options);
+    add_surface_options(command, options.surface);
     add_chord_options(command, options);
     add_work_options(command, options);
 }
@@ -305,7 +303,7 @@ void resolve(const CLI::App& command, BakeOptions& options)
     options.has_directions = command.count("--directions") > 0;
     options.has_screen = command.count("--screen") + command.count("--rows") > 0;
     check_fit(command, options.fit);
-    if (options.draft) set_draft(command, options);
+    if (options.surface.draft) set_draft(command, options);
     options.limits = limits_of(command, options);
     options.surface.seed = options.chord.seed;
     options.surface.threads = options.scene.threads;

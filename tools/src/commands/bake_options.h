@@ -44,7 +44,7 @@ struct BakeOptions {
     host::ScreenSize screen;
     bool has_screen = false;
     std::string output, cap, shard;
-    bool restart = false, draft = false, verbose = false;
+    bool restart = false, verbose = false;
     ProgressStyle progress = ProgressStyle::automatic;
 };
 

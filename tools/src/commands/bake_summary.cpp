@@ -141,7 +141,7 @@ void tell_people(const BakeSummary& summary)
     if (summary.surface) text += surface_line(*summary.surface) + notes_of(*summary.surface) + suffices_line(summary);
     if (const auto psnr_db = checked_db(summary))
         text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
-    if (summary.options.draft) text += "a draft: bake it without --draft to ship it\n";
+    if (summary.options.surface.draft) text += "a draft: bake it without --draft to ship it\n";
     if (summary.options.verbose) text += stages_line(summary);
     text += device_lines(summary);
     if (is_checked(summary)) text += next_line(summary.name);

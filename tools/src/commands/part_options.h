@@ -13,7 +13,7 @@
 namespace lumi::tools
 {
 
-// An option says how a part moves, or also its pose.
+// An option says how a part moves, or how it moves and its pose.
 enum class PartWords : uint8_t { motion, motion_and_pose };
 
 // Adds --part NAME:AXIS[@X,Y,Z], with =VALUE where a pose may be given; NAME=VALUE is one of a part that is known. Of

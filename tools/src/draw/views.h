@@ -16,7 +16,7 @@ namespace lumi::tools
 
 inline constexpr int kMaxTurntable = 1000;
 
-// It lies behind an object: a colour, the dark grey gradient of lumi/host/backdrop.h, or nothing, which is alpha.
+// An object lies before a colour, before the dark grey gradient of lumi/host/backdrop.h, or before nothing: alpha.
 struct Background {
     enum class Kind : uint8_t { colour, gradient, none };
     Kind kind = Kind::colour;
