@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/sample_tracer.h"
 
+#include <array>
+
 #include "math/warp.h"
 #include "mesh/see_through.h"
 #include "mesh/survey.h"
@@ -112,15 +114,37 @@ SampleTracer::PartTracer::PartTracer(const std::vector<LitPose>& lit, const Patc
 {
 }
 
+// One of the poses in which the part can be seen along the line, by chance. Where it lies within the body in all of
+// them, one of all: what hides it there may not in another.
+const LitPose& SampleTracer::pose_along(const Ray& ray, float distance, const PartTracer& part, Sampler& sampler) const
+{
+    constexpr float kOutside = 2;  // so far back no pose of the line begins within the sphere
+    if (part.poses.size() == 1) return part.poses[0];
+    const Ray from_outside = {ray.origin - ray.direction * kOutside, ray.direction};
+    std::array<const LitPose*, kMostLitPoses> seen;
+    size_t count = 0;
+    for (const LitPose& pose : part.poses) {
+        const Ray posed = pose.posed(from_outside);
+        if (cap_.sees(posed) &&
+            std::abs(first_meeting(*pose.scene, posed, sampler) - distance - kOutside) <= kMaxDepthError)
+            seen[count++] = &pose;
+    }
+    const float chance = sampler.next_1d();
+    const auto drawn = [&](size_t of) {
+        return std::min(static_cast<size_t>(chance * static_cast<float>(of)), of - 1);
+    };
+    return count != 0 ? *seen[drawn(count)] : part.poses[drawn(part.poses.size())];
+}
+
 // Begins just before the part: what stands farther off hides it in this pose, and may not in another.
 std::optional<SampleTracer::PartLine> SampleTracer::line_to_part(const Ray& ray, const PartTracer& part,
                                                                  Sampler& sampler) const
 {
     constexpr float kBefore = 2 * kMaxDepthError;
-    const auto number = static_cast<size_t>(sampler.next_1d() * static_cast<float>(part.poses.size()));
-    const LitPose& pose = part.poses[std::min(number, part.poses.size() - 1)];
-    std::optional<Hit> hit = cap_.sees(pose.posed(ray)) ? part.mesh.closest(ray) : std::nullopt;
+    std::optional<Hit> hit = part.mesh.closest(ray);
     if (!hit) return std::nullopt;
+    const LitPose& pose = pose_along(ray, hit->distance, part, sampler);
+    if (!cap_.sees(pose.posed(ray))) return std::nullopt;
     const float start = std::max(0.0f, hit->distance - kBefore);
     const Ray near = {ray.origin + ray.direction * start, ray.direction}, posed = pose.posed(near);
     hit->distance -= start;

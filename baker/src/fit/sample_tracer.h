@@ -75,6 +75,7 @@ private:
         Ray posed;
         const LitPose* pose;
     };
+    const LitPose& pose_along(const Ray& ray, float distance, const PartTracer& part, Sampler& sampler) const;
     std::optional<PartLine> line_to_part(const Ray& ray, const PartTracer& part, Sampler& sampler) const;
     std::optional<FitSample> sample_of_part(const Ray& ray, uint32_t patch, const PartTracer& part,
                                             Sampler& sampler) const;

@@ -211,9 +211,9 @@ LitScenes::LitScenes(const SceneData& scene) : scene_(scene)
 {
     if (scene_.moving.empty()) return;
     body_ = only_of(scene, 0);
-    constexpr size_t kMostPoses = 4, kMostTriangles = 6'000'000;  // of all these scenes, about 200 bytes each
+    constexpr size_t kMostTriangles = 6'000'000;  // of all these scenes, about 200 bytes each
     const size_t triangles = scene.mesh.triangle_count() * scene.moving.motions.size();
-    const size_t poses = std::clamp<size_t>(kMostTriangles / triangles, 1, kMostPoses);
+    const size_t poses = std::clamp<size_t>(kMostTriangles / triangles, 1, kMostLitPoses);
     for (uint32_t owner = 1; owner <= scene.moving.motions.size(); ++owner) {
         const PartMovement& movement = scene.moving.motions[owner - 1];
         parts_.emplace_back();

@@ -23,6 +23,8 @@ std::unique_ptr<SceneData> only_of(const SceneData& scene, uint32_t owner);
 // The body, and one part in a pose.
 std::unique_ptr<SceneData> lit_with(const SceneData& scene, uint32_t owner, double value);
 
+inline constexpr size_t kMostLitPoses = 4;
+
 // A part in one of the poses whose light it has.
 struct LitPose {
     std::unique_ptr<SceneData> scene;  // the body and this part

@@ -128,12 +128,11 @@ TEST_CASE("moving bake: the body is lit as if parts were not there, and parts as
     CHECK(mean_light(scene, 1, {0, 0, -1}, 0.2f) < 0.02);  // it closes the box
 }
 
-TEST_CASE("moving bake: without a pose to be lit in, a part has the mean light of four")
+TEST_CASE("moving bake: without a pose to be lit in, a part has the mean light of those in which it is seen")
 {
-    double mean = 0;
-    for (const double pose : {0.0, 90.0, 180.0, 270.0}) mean += mean_light(lidded_box(pose), 1, {0, 0, -1}, 0.2f) / 4;
-    CHECK(mean > 0.1);
-    CHECK(mean_light(lidded_box(std::nullopt), 1, {0, 0, -1}, 0.2f) == Approx(mean).epsilon(0.05));
+    const auto under = [](std::optional<double> pose) { return mean_light(lidded_box(pose), 1, {0, 0, -1}, 0.2f); };
+    CHECK(under(0) < 0.02);  // the lid is closed, and nobody sees this side
+    CHECK(under(std::nullopt) > 0.9 * under(180));
 }
 
 TEST_CASE("moving bake: a part turns below its light where most of it lies across its axis")
