@@ -328,7 +328,7 @@ std::vector<Case> cases()
         {"image of 1 × 8192", around(3, {1, 8192, 40 * kDegree}), usual},
         {"down the poles", {pole(3), south(3), pole(1.1), south(1.1)}, usual},
         {"along the seam", {{from(0, 0, 3), kUsual}, {from(180, 0, 3), kUsual}, {from(0, 1, 1.1), kUsual}}, usual},
-        {"rolled", {{rolled(from(40, 30, 2), 33), kUsual}, {rolled(from(200, -60, 3), 117), kUsual}}, usual},
+        {"rolled", {{rolled(from(40, 30, 2), 33.0), kUsual}, {rolled(from(200, -60, 3), 117.0), kUsual}}, usual},
         {"stereo pair, shifted lens", stereo(), usual},
         {"1 to 7 points", around(3), from_to(1, 7, 1)},
         {"8 to 63 points", around(3), from_to(8, 63, 5)},

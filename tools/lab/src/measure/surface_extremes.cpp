@@ -49,7 +49,7 @@ std::vector<Case> cases()
         {"image of 8192 × 1", around(3, {8192, 1, 40 * kDegree})},
         {"image of 1 × 8192", around(3, {1, 8192, 40 * kDegree})},
         {"down the poles", {at(61, 90, 3), at(10, -90, 3), at(61, 90, 1.1), at(10, -90, 1.1)}},
-        {"rolled", {{rolled(from(40, 30, 2), 33), kUsual}, {rolled(from(200, -60, 3), 117), kUsual}}},
+        {"rolled", {{rolled(from(40, 30, 2), 33.0), kUsual}, {rolled(from(200, -60, 3), 117.0), kUsual}}},
         {"stereo pair, shifted lens", stereo()},
         {"all colours 0", around(3), Palette::black},
         {"all colours 255", around(3), Palette::white},
