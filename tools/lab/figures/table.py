@@ -53,8 +53,8 @@ def save(name, data):
 
 
 def commits():
-    """{name of the data: its commit}; once.json, which was measured by hand, has none."""
-    return {path.stem: load(path.stem)["commit"] for path in sorted(DATA.glob("*.json")) if path.stem != "once"}
+    """{name of the data: its commit}; what was measured by hand has none."""
+    return {path.stem: load(path.stem)["commit"] for path in sorted(DATA.glob("*.json")) if path.stem not in ("once", "cycles")}
 
 
 def rows_of(text):
