@@ -54,7 +54,6 @@ set(LUMI_PLAIN_FILES
   baker/light/fixtures_test.cpp
   baker/light/light_test.cpp
   baker/trace/agreement_test.cpp
-  baker/trace/catcher_test.cpp
   baker/trace/error_gauge_test.cpp
   baker/trace/path_tracer_test.cpp
   baker/trace/volume_test.cpp

@@ -4,7 +4,7 @@
 #include "chord/field_writer.h"
 #include "chord/texel_tracer.h"
 #include "store/checkpoint.h"
-#include "trace/catcher.h"
+#include "trace/path_tracer.h"
 #include "util/job.h"
 
 namespace lumi::baker

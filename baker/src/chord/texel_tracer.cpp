@@ -50,7 +50,7 @@ TexelTracer::TexelTracer(const SceneData& scene, const BakeSettings& settings)
       seed_(settings.seed),
       samples_(settings.samples),
       // Texels that end where no path has met a faint shadow or thin smoke yet would lose it.
-      max_error_levels_(scene.catcher || scene.medium ? 0 : settings.max_error_levels),
+      max_error_levels_(scene.medium ? 0 : settings.max_error_levels),
       footprint_(settings.footprint),
       beam_(settings.beam),
       rays_(settings.origins, settings.directions),

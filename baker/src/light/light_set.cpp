@@ -84,7 +84,6 @@ LightSet::LightSet(const Mesh& mesh, const std::vector<Material>& materials, con
 {
     const double sky = static_cast<double>(sky_.power());
     lamps_ = Distribution({static_cast<double>(emitters_.power()), static_cast<double>(fixtures_.power())});
-    outside_ = Distribution({sky, static_cast<double>(fixtures_.power())});
     if (const Distribution all({sky, lamps_.total()}); !all.empty()) {
         sky_samples_ = std::min(samples * all.probability(0), 1.0f);
         lamp_samples_ = std::min(samples * all.probability(1), 1.0f);
@@ -103,19 +102,6 @@ LightSample LightSet::lamp(const Vec3& from, float u_select, const Vec2& u) cons
         draw.index == kEmitters ? emitters_.sample(from, draw.rest, u) : fixtures_.sample(from, draw.rest, u);
     s.pdf *= lamps_.probability(draw.index);
     return s;
-}
-
-LightSample LightSet::sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const
-{
-    const size_t kind = outside_.draw(u_light).index;
-    LightSample s = kind == kSky ? sky_.sample(from, u_select, u) : fixtures_.sample(from, u_select, u);
-    s.pdf *= outside_.probability(kind);
-    return s;
-}
-
-float LightSet::outside_sky_pdf(const Vec3& direction) const
-{
-    return sky_.power() > 0 ? outside_.probability(kSky) * sky_.pdf(direction) : 0.0f;
 }
 
 float LightSet::sky_pdf(const Vec3& direction) const

@@ -82,10 +82,6 @@ public:
         if (u >= 1 - lamp_samples_)
             take(counted(lamp(from, numbers.choice.y, numbers.place), lamp_samples_), (1 - u) / lamp_samples_);
     }
-    // Takes one sample of the light from outside, without the emissive triangles of the objects themselves.
-    bool none_outside() const { return outside_.empty(); }
-    LightSample sample_outside(const Vec3& from, float u_light, float u_select, const Vec2& u) const;
-    float outside_sky_pdf(const Vec3& direction) const;
     // All that decides their light, but for the emissive triangles, which are those of mesh, materials and textures.
     void add_to(Digest& digest) const;
 
@@ -110,12 +106,11 @@ private:
     LightSample lamp(const Vec3& from, float u_select, const Vec2& u) const;
 
     enum LampKind : size_t { kEmitters, kFixtures };
-    enum OutsideKind : size_t { kSky, kOutsideFixtures };
 
     Sky sky_;
     Emitters emitters_;
     Fixtures fixtures_;
-    Distribution lamps_, outside_;
+    Distribution lamps_;
     bool takes_two_ = false;
     // Samples that a point takes of each kind, in the mean.
     float sky_samples_ = 0, lamp_samples_ = 0, emitter_samples_ = 0, fixture_samples_ = 0;

@@ -279,7 +279,6 @@ std::unique_ptr<SceneData> opaque_part(const SceneData& scene)
     parts.mesh = part_of(scene.mesh, [&](size_t t) { return !see_through[scene.mesh.materials[t]]; });
     parts.materials = scene.materials;
     parts.shared_textures = scene.shared_textures;
-    parts.catcher = scene.catcher;
     parts.tone = scene.tone;
     parts.sphere = BoundingSphere{{0, 0, 0}, 1};
     LoadOptions options;

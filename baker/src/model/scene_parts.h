@@ -58,7 +58,6 @@ struct SceneParts {
     MovingParts moving;
     std::vector<SceneView> views;
     std::vector<std::string> notes;  // choices that the file leaves open, a sentence each
-    std::optional<Disc> catcher;     // catches shadows, see catcher.h
     std::optional<Volume> volume;
     bool mesh_is_shell = false;  // see SceneData
     ToneCurve tone = ToneCurve::srgb;

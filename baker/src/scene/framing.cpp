@@ -171,8 +171,8 @@ private:
 void frame_part(const std::filesystem::path& file, const std::string& name, SceneParts& parts)
 {
     const auto fail = [&](const std::string& text) { throw SceneError(at({file.string()}, text)); };
-    if (parts.volume || parts.catcher)
-        fail("--frame is for triangles alone; give a 'sphere' in the scene file, or leave out the volume or 'catcher'");
+    if (parts.volume)
+        fail("--frame is for triangles alone; give a 'sphere' in the scene file, or leave out the volume");
     const std::vector<bool> chosen = triangles_named(name, file.string(), parts);
     BoundingSphere sphere = sphere_around(chosen, parts.mesh);
     Cutting cutting(parts.mesh, sphere);

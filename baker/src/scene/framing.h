@@ -11,7 +11,7 @@ namespace lumi::baker
 
 // Gives the scene the sphere around the objects, groups or nodes of that name, or else around what is of the material
 // of that name, and cuts off all else that lies outside of it, along a body of flat sides that the sphere holds.
-// `file` serves messages. Throws SceneError if nothing has the name, and where there is a volume or a catcher.
+// `file` serves messages. Throws SceneError if nothing has the name, and where there is a volume.
 void frame_part(const std::filesystem::path& file, const std::string& name, SceneParts& parts);
 
 }  // namespace lumi::baker

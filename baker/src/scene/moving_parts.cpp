@@ -176,7 +176,6 @@ std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh, const st
     parts.materials.insert(parts.materials.end(), more.begin(), more.end());
     parts.shared_textures = scene.shared_textures;
     parts.fixtures = scene.fixtures;
-    parts.catcher = scene.catcher;
     parts.tone = scene.tone;
     parts.sphere = BoundingSphere{{0, 0, 0}, 1};
     parts.exposure = 1;  // all light has it already

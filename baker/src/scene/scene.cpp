@@ -22,36 +22,23 @@ Vec3 to_sphere_axes(const Vec3& v, UpAxis up)
     return up == UpAxis::y ? Vec3{v.z, v.x, v.y} : v;
 }
 
-// Corners of a polygon around the disc.
-void add_rim(const Disc& disc, UpAxis up, std::vector<Vec3>& points)
-{
-    constexpr int kCorners = 64;
-    const float reach = disc.radius / std::cos(kPi / kCorners);
-    for (int k = 0; k < kCorners; ++k) {
-        const float angle = 2 * kPi * static_cast<float>(k) / kCorners;
-        const float a = reach * std::cos(angle), b = reach * std::sin(angle);
-        points.push_back(disc.centre + (up == UpAxis::z ? Vec3{a, b, 0} : Vec3{b, 0, a}));
-    }
-}
-
-// Points that the sphere has to hold besides triangles: the catcher's rim, the parts of a volume that are not empty,
-// where moving parts come.
-std::vector<Vec3> other_points(const SceneParts& parts, UpAxis up, bool has_poses)
+// Points that the sphere has to hold besides triangles: the parts of a volume that are not empty, where moving parts
+// come.
+std::vector<Vec3> other_points(const SceneParts& parts, bool has_poses)
 {
     std::vector<Vec3> points;
     if (parts.volume) points = corners_of(*parts.volume);
     if (has_poses && !parts.moving.empty()) points = parts.moving.swept(parts.mesh);
-    if (parts.catcher) add_rim(*parts.catcher, up, points);
     return points;
 }
 
 // Only what triangles use: a stray vertex must not enlarge the sphere.
-BoundingSphere fit_sphere(const SceneParts& parts, UpAxis up, bool has_poses = true)
+BoundingSphere fit_sphere(const SceneParts& parts, bool has_poses = true)
 {
     const Mesh& mesh = parts.mesh;
     std::vector<bool> used(mesh.positions.size(), false);
     for (const Mesh::Corners& c : mesh.corners) used[c[0]] = used[c[1]] = used[c[2]] = !parts.mesh_is_shell;
-    std::vector<Vec3> points = other_points(parts, up, has_poses);
+    std::vector<Vec3> points = other_points(parts, has_poses);
     points.reserve(points.size() + mesh.positions.size());
     for (size_t i = 0; i < used.size(); ++i)
         if (used[i]) points.push_back(mesh.positions[i]);
@@ -73,16 +60,10 @@ Mesh moved_into_sphere(Mesh mesh, const BoundingSphere& sphere, UpAxis up)
     return mesh;
 }
 
-std::optional<Disc> moved_into_sphere(const std::optional<Disc>& disc, const BoundingSphere& sphere, UpAxis up)
-{
-    if (!disc) return std::nullopt;
-    return Disc{moved_into_sphere(disc->centre, sphere, up), static_cast<float>(disc->radius / sphere.radius)};
-}
-
 // How far the scene reaches from the sphere's centre.
-double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up)
+double reach_of(const SceneParts& parts, const BoundingSphere& sphere)
 {
-    const std::vector<Vec3> others = other_points(parts, up, true);
+    const std::vector<Vec3> others = other_points(parts, true);
     double farthest = 0;
     const auto take = [&](const Vec3& p) {
         farthest = std::max(farthest, std::hypot(static_cast<double>(p.x) - sphere.centre[0],
@@ -96,15 +77,15 @@ double reach_of(const SceneParts& parts, const BoundingSphere& sphere, UpAxis up
 }
 
 // The sphere that the scene asks for, which must hold every triangle, or the fitted one with its margin.
-BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
+BoundingSphere sphere_of(const SceneParts& parts, double margin)
 {
     if (!parts.sphere) {
-        BoundingSphere sphere = fit_sphere(parts, up);
+        BoundingSphere sphere = fit_sphere(parts);
         sphere.radius *= 1 + margin;
         return sphere;
     }
     constexpr double kRounding = 1e-6;  // positions have it, also where a scene was moved into its sphere before
-    const double farthest = reach_of(parts, *parts.sphere, up);
+    const double farthest = reach_of(parts, *parts.sphere);
     if (farthest > parts.sphere->radius * (1 + kRounding)) {
         throw SceneError("the scene reaches " + std::to_string(farthest) +
                          " from the centre of its 'sphere' of radius " + std::to_string(parts.sphere->radius) +
@@ -114,11 +95,11 @@ BoundingSphere sphere_of(const SceneParts& parts, double margin, UpAxis up)
 }
 
 // Says by how much the poses of parts make the sphere larger, and all else smaller in pictures.
-void note_growth(const BoundingSphere& sphere, double margin, UpAxis up, SceneParts& parts)
+void note_growth(const BoundingSphere& sphere, double margin, SceneParts& parts)
 {
     constexpr double kSeen = 1.02;
     if (parts.moving.empty() || parts.sphere) return;
-    const double growth = sphere.radius / (fit_sphere(parts, up, false).radius * (1 + margin));
+    const double growth = sphere.radius / (fit_sphere(parts, false).radius * (1 + margin));
     if (growth >= kSeen)
         parts.notes.push_back("the sphere is " + number_text(std::round(100 * growth) / 100) +
                               " times as large as the scene, to hold every pose of its parts");
@@ -279,10 +260,10 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       radius(),
       up(options.up.value_or(parts.up.value_or(UpAxis::y))),
       mesh([&] {
-          const BoundingSphere sphere = sphere_of(parts, options.margin, up);
+          const BoundingSphere sphere = sphere_of(parts, options.margin);
           for (size_t k = 0; k < 3; ++k) centre[k] = sphere.centre[k] + parts.origin[k];
           radius = sphere.radius;
-          note_growth(sphere, options.margin, up, parts);
+          note_growth(sphere, options.margin, parts);
           moving = moved_into_sphere(std::move(parts.moving), sphere, up);
           return moved_into_sphere(std::move(parts.mesh), sphere, up);
       }()),
@@ -293,7 +274,6 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       tone(parts.tone),
       has_transparency(std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.may_pass(); })),
       mesh_is_shell(parts.mesh_is_shell),
-      catcher(moved_into_sphere(parts.catcher, {centre, radius}, up)),
       medium(medium_of(std::move(parts.volume), out_of_sphere(centre, radius, up), radius)),
       accelerator(mesh),
       choice(choose_light(

@@ -32,7 +32,6 @@ struct SceneData {
     ToneCurve tone;
     bool has_transparency;  // some material may let light pass
     bool mesh_is_shell;     // the mesh only tells where the volume looks solid: light passes it
-    std::optional<Disc> catcher;
     std::optional<Medium> medium;
     Accelerator accelerator;
     LightChoice choice;             // its exposure is a factor that the light of `materials` and `lights` already has

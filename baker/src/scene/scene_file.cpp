@@ -62,7 +62,6 @@ public:
             for (const JsonValue& object : list_of(scene_.require("objects"), "objects")) read_object(object);
         read_materials();
         read_ground();
-        read_catcher();
         read_lights();
         read_picture();
         read_sphere();
@@ -149,16 +148,6 @@ private:
         if (const JsonValue* changes = members.find("material")) apply_material_members(name_, *changes, material);
         members.finish();
         append_disc(parts_, disc, up_, material);
-    }
-
-    void read_catcher()
-    {
-        const JsonValue* value = scene_.find("catcher");
-        if (!value) return;
-        if (scene_.find("ground")) scene_.fail(*value, "a scene has a 'ground' or a 'catcher'; remove one of them");
-        JsonMembers members(name_, *value, "the catcher");
-        parts_.catcher = read_disc(members);
-        members.finish();
     }
 
     // Under the lowest point of objects and volume, unless told otherwise.

@@ -92,7 +92,7 @@ void add(Digest& digest, const Texture& texture)
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
     const auto& [centre, radius, up, moving, mesh, materials, shared_textures, textures, tone, has_transparency,
-                 mesh_is_shell, catcher, medium, accelerator, choice, fixtures, lights, views] = scene;
+                 mesh_is_shell, medium, accelerator, choice, fixtures, lights, views] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(shared_textures);  // `textures` are those
     static_cast<void>(accelerator);
@@ -104,10 +104,6 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     digest.add(radius);
     digest.add(up);
     digest.add(tone);
-    if (catcher) {
-        digest.add(catcher->centre);
-        digest.add(catcher->radius);
-    }
     if (medium) medium->add_to(digest);
     add(digest, mesh_is_shell ? Mesh() : mesh);  // a shell is made from the medium
     for (const Material& material : mesh_is_shell ? std::vector<Material>() : materials) add(digest, material);

@@ -12,7 +12,6 @@
 #include "store/checkpoint.h"
 #include "store/posix_file.h"
 #include "surface/surface_file_store.h"
-#include "trace/catcher.h"
 #include "trace/path_tracer.h"
 
 namespace lumi::baker

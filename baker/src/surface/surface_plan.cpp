@@ -14,7 +14,7 @@
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
 #include "store/section_writer.h"
-#include "trace/catcher.h"
+#include "trace/path_tracer.h"
 
 namespace lumi::baker
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "trace/path_tracer.h"
 
+#include "lumi/baker/bake.h"
 #include "lumi/detail/lattice.h"
 #include "material/lobes.h"
 #include "math/vec3.h"
 #include "math/warp.h"
-#include "trace/catcher.h"
 #include "trace/error_gauge.h"
 #include "trace/hit_point.h"
 #include "util/digest.h"
@@ -18,7 +18,6 @@ namespace
 
 constexpr int kRouletteAfter = 2;       // bounces on other things than glass that every path makes
 constexpr float kWorthTwoRays = 0.03f;  // as a share of the light of white: less is looked for by chance
-constexpr float kOnCatcher = 1e-5f;     // radii; far above the rounding error of a hit
 constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
 
 // Veach's power heuristic with exponent 2.
@@ -335,20 +334,15 @@ private:
 
 PathResult PathTracer::trace(const Ray& ray, Sampler& sampler) const
 {
-    const std::optional<float> catcher = scene_.catcher ? distance_to_catcher(*scene_.catcher, ray) : std::nullopt;
-    if (!catcher) return trace_scene(ray, sampler);
-    // Objects that lie on the catcher hide it.
-    const PathResult before = trace_scene({ray.origin, ray.direction, *catcher + kOnCatcher}, sampler);
-    if (before.covered) return before;
-    const Vec3 position = ray.origin + ray.direction * *catcher;
-    const float shadow = shadow_at(scene_, position, sampler);
-    if (sampler.next_1d() < shadow) return {true, {}, {}};
-    return trace_scene({position, ray.direction, ray.end - *catcher}, sampler);
+    return Path(scene_, sampler).traced(ray);
 }
 
-PathResult PathTracer::trace_scene(const Ray& ray, Sampler& sampler) const
+void require_partial_coverage(const SceneData& scene, bool texels_have_it)
 {
-    return Path(scene_, sampler).traced(ray);
+    if (texels_have_it || !scene.medium || scene.mesh_is_shell) return;
+    throw BakeError(
+        "the scene's 'volume' is half transparent and needs texels that are partly covered; bake with --layout "
+        "chord --texel palette8");
 }
 
 uint64_t tracing_fingerprint(const SceneData& scene)

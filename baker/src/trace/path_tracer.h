@@ -20,7 +20,7 @@ inline constexpr int kMaxBounces = 64;
 inline constexpr int kMaxScatterings = 1 << 16;  // far above the mean of any cloud: 4/3 of its optical radius
 
 struct PathResult {
-    bool covered = false;  // the ray meets the scene, its volume by chance, or a shadow on its catcher
+    bool covered = false;  // the ray meets the scene, or its volume by chance
     Rgb radiance;          // it comes along the ray; 0 if not covered
     // The part of it that a matt surface of the first one's colour would send: any direction of view sees it alike in
     // the mean. The rest may be negative.
@@ -42,10 +42,12 @@ public:
     PathResult trace(const Ray& ray, Sampler& sampler) const override;
 
 private:
-    PathResult trace_scene(const Ray& ray, Sampler& sampler) const;  // the scene without its catcher
-
     const SceneData& scene_;
 };
+
+// Bakes call this before they start. It throws BakeError if the scene has a volume and the texels only know "covered"
+// and "not covered": smoke would become a solid body.
+void require_partial_coverage(const SceneData& scene, bool texels_have_it);
 
 // Tells whether two bakes would trace the same: a hash of what some thousand fixed light paths bring home, to the last
 // bit. Where it differs though the scenes are the same, the two builds or processors do not compute alike.

@@ -204,18 +204,6 @@ TEST_CASE("scene file: the ground lies under the lowest point")
     CHECK(z.mesh.area_vector(last).z > 0);
 }
 
-TEST_CASE("scene file: a shadow catcher lies under the lowest point too, and is no triangle")
-{
-    const SceneParts parts = with(R"("catcher": {"radius": 3})");
-    CHECK(parts.mesh.triangle_count() == 2);
-    REQUIRE(parts.catcher);
-    CHECK(parts.catcher->radius == 3);
-    CHECK(parts.catcher->centre.y == 0);
-    const SceneParts z = with(R"("up": "z", "catcher": {"radius": 1, "height": -2})");
-    check_vector(z.catcher->centre, 0, 0, -2);
-    CHECK_FALSE(with("\"up\": \"y\"").catcher);
-}
-
 TEST_CASE("scene file: a whole file loads, and the command line's wishes count more")
 {
     const ScratchFolder folder;
@@ -267,12 +255,6 @@ TEST_CASE("scene file: members that cannot be are refused with their line")
     check_member_refused("\"environment\": {\"zenith\": 1}", "has no 'horizon'");
     check_member_refused("\"environment\": {\"picture\": \"no.hdr\"}", "the picture 'no.hdr' is missing");
     check_member_refused("\"ground\": {}", "the ground has no 'radius'");
-    check_member_refused("\"catcher\": {}", "the catcher has no 'radius'");
-    check_member_refused("\"catcher\": 2", "the catcher must be an object");
-    check_member_refused("\"catcher\": {\"radius\": 0}", "'radius' of the catcher is 0");
-    check_member_refused("\"catcher\": {\"radius\": 1, \"height\": 1e16}", "'height' of the catcher");
-    check_member_refused("\"catcher\": {\"radius\": 1, \"material\": {}}", "the catcher knows no 'material'");
-    check_member_refused("\"ground\": {\"radius\": 1}, \"catcher\": {\"radius\": 1}", "remove one of them");
     check_member_refused("\"sphere\": {\"centre\": [0, 0, 0], \"radius\": 0}", "'radius' of the sphere is 0");
     check_member_refused("\"materials\": {\"gold\": {}}", "no object has a material 'gold'; choose among: paint, pane");
     check_member_refused("\"materials\": {\"paint\": {\"metal\": \"tin\"}}", "choose one of: aluminium");
@@ -318,8 +300,6 @@ TEST_CASE("scene file: faults beyond the text are named too")
         return load_scene(folder.write("s.json", "{\"objects\": [{\"obj\": \"o.obj\"}],\n" + rest + "}"), {}, warnings);
     };
     CHECK_THROWS_WITH(load(R"("sphere": {"centre": [0, 0, 0], "radius": 1})"), Catch::Contains("give a larger radius"));
-    CHECK_THROWS_WITH(load(R"("catcher": {"radius": 9}, "sphere": {"centre": [0, 0, 0], "radius": 8})"),
-                      Catch::Contains("give a larger radius"));
     folder.write("bad.hdr", "rubbish");
     CHECK_THROWS_WITH(load(R"("environment": {"picture": "bad.hdr"})"),
                       Catch::Contains("bad.hdr: this is neither a Radiance .hdr nor an OpenEXR picture; save"));

@@ -66,11 +66,6 @@ void SceneMaker::add(const Fixture& fixture)
     parts_.fixtures.push_back(fixture);
 }
 
-void SceneMaker::catch_shadows(const Disc& disc)
-{
-    parts_.catcher = disc;
-}
-
 void SceneMaker::fill(const Volume& volume)
 {
     parts_.volume = volume;

@@ -20,7 +20,6 @@ class SceneMaker
 public:
     uint32_t add(const Material& material);
     void add(const Fixture& fixture);  // in the scene's units
-    void catch_shadows(const Disc& disc);
     void fill(const Volume& volume);
     void expose(float factor);
     void surround(const Environment& environment);
