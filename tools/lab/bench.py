@@ -31,11 +31,6 @@ SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
-# Firmware does this without the library: a title, the firmware, and the cores that it is counted on.
-BASELINES = [("paper 5×5 in float, no FPU", "baseline_float", ["m0plus", "m3"]),
-             ("paper 5×5 in float, FPU", "baseline_float_fpu", ["m4", "m7"]),
-             ("sprite, copied", "baseline_copy", CORES),
-             ("sprite, turned and scaled", "baseline_affine", CORES)]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/release/tools"
 
@@ -228,21 +223,6 @@ def surface_rows(options, boards):
     return rows, {**facts, "vertices": frames[0]["vertices"]}
 
 
-def baseline_rows(options, boards):
-    field = chord_field(options, "rgb565")
-    rows = []
-    for board in boards:
-        for title, renderer, cores in BASELINES:
-            if board.core in cores:
-                board.build([renderer])
-                for count in board.count(renderer, field, ["generic", 0], CHORD_COUNTS):
-                    rows.append({"method": title, "core": board.core,
-                                 "instructions_per_pixel": hundredths(count["instructions"] / count["covered"]),
-                                 "instructions_per_frame": count["instructions"],
-                                 "code_bytes": board.code_bytes(renderer)})
-    return rows
-
-
 def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
@@ -250,7 +230,7 @@ def measure(options):
     is_see_through = "see_through_patches" in (facts or {})
     rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
     if options.docs:
-        save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts, "baselines": baseline_rows(options, boards),
+        save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts,
                           "field": {"scene": options.scene.name, "origins": options.origins,
                                     "directions": options.directions, "spp": options.spp}})
     return written(options, rows)
@@ -292,7 +272,7 @@ def parse(arguments):
     add_list("--span", SPANS, "pixels between exact ones, 0 for the exact renderer")
     parser.add_argument("--json", metavar="FILE", help="write the rows here")
     parser.add_argument("--docs", action="store_true",
-                        help="write rows, parts and baselines into docs/log/data/tradeoff.json")
+                        help="write rows and parts into docs/log/data/tradeoff.json")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
     parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "

@@ -21,7 +21,7 @@ Estimate pixel_estimate(ToneCurve tone, const CameraRays& rays, const Integrator
     for (uint32_t s = 0; s < settings.samples; ++s) {
         sampler.start(s);
         Vec2 place = sampler.next_2d();
-        if (settings.samples == 1 || settings.through_centre) place = {0.5f, 0.5f};
+        if (settings.samples == 1) place = {0.5f, 0.5f};
         const std::optional<Ray> ray = rays.ray(x + static_cast<double>(place.x), y + static_cast<double>(place.y));
         result.add(ray ? tracer.trace(*ray, sampler) : PathResult{});
     }

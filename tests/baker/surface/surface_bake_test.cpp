@@ -85,7 +85,7 @@ double squared_error(const Scene& scene, const SurfaceBake& bake)
     for (const Vec3& from : kViews) {
         Camera camera;
         REQUIRE(make_camera(pose_from(from), picture_size(), camera) == CameraError::none);
-        const RgbaImage truth = render_reference(scene, camera, {32, 1, 1, false});
+        const RgbaImage truth = render_reference(scene, camera, {32, 1, 1});
         const twin::SurfacePicture p =
             twin::draw_surface(bake.file.data(), pose_from(from), picture_size(), {}, {0, 0, 0});
         for (size_t k = 0; k < p.colours.size(); ++k) {

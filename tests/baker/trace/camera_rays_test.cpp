@@ -107,21 +107,4 @@ TEST_CASE("reference: no samples is an error, a callback that returns false canc
     CHECK_THROWS_AS(render_reference(scene, camera, {1, 1, 1}, [](const Progress&) { return false; }), Cancelled);
 }
 
-TEST_CASE("reference: through pixel centres alone, every pixel is covered or not")
-{
-    testing::SceneMaker maker;
-    maker.ball(maker.add(testing::diffuse(grey(0.5f))), {}, 1, 64);
-    const Scene scene = maker.make(studio_environment());
-    ReferenceSettings settings = {16, 1, 2};
-    const auto partly = [&] {
-        const RgbaImage image = render_reference(scene, camera_at(20, 30, 3, 50, 48, 48), settings);
-        int count = 0;
-        for (size_t i = 3; i < image.rgba.size(); i += 4) count += image.rgba[i] != 0 && image.rgba[i] != 255 ? 1 : 0;
-        return count;
-    };
-    CHECK(partly() > 20);
-    settings.through_centre = true;
-    CHECK(partly() == 0);
-}
-
 }  // namespace lumi::baker

@@ -73,7 +73,7 @@ TEST_CASE("surface pictures are at most 0.2 dB worse than the twin's")
 {
     const SurfaceField field = opened();
     const auto views = quality::held_out_views(quality::ViewSet::all, 4, 128);
-    const auto references = quality::references_of(test::cube_scene(), views, {8, 1, 0, false}, {});
+    const auto references = quality::references_of(test::cube_scene(), views, {8, 1, 0}, {});
     for (const SurfaceMode mode : kModes) {
         double drawn = 0, twin = 0;
         for (size_t v = 0; v < views.size(); ++v) {

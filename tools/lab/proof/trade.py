@@ -4,9 +4,8 @@
 
 Measures the trade of speed against accuracy of three scenes that differ, by `lumi report --for` with every named part: the
 desk clock (matt and glossy), a bottle of tinted glass, and a block in fog, which no surface can stand for. The last two have
-few light paths, as by `lumi report --quick`. `lumi-lab baselines` says what the bytes of one of the clock's fields show
-otherwise. --docs writes docs/log/data/trade.json and the pages. --quick: the clock has few light paths, too. Fields,
-references and reports stay in FOLDER [build/trade], and what is there is not made again. LUMI and LUMI_LAB name programs.
+few light paths, as by `lumi report --quick`. --docs writes docs/log/data/trade.json and the pages. --quick: the clock has few light paths, too. Fields,
+references and reports stay in FOLDER [build/trade], and what is there is not made again. LUMI names the program.
 """
 import argparse
 import json
@@ -21,7 +20,6 @@ from figures.table import save  # noqa: E402
 PARTS = ["rp2040", "rp2350", "esp32s3", "stm32f4", "stm32h7", "nrf52840", "stm32u5", "esp32c3"]
 TITLES = {"clock": "the desk clock", "bottle": "a bottle of tinted glass", "volume": "a block in fog"}
 CLOCK = bench.ROOT / "baker/scenes/product.obj"
-BASELINE_BYTES = 250_000  # other ways get so many
 QUALITY = ["layout", "flash_bytes", "triangles", "psnr_db", "ssim", "cw_ssim", "flip", "mask_psnr_db", "worst_view"]
 
 
@@ -49,10 +47,10 @@ def trade_rows(name, told):
                        for part, of in row["parts"].items()}} for row in told["trade"]["rows"]]
 
 
-def quality_rows(told, others):
-    """Compares the clock's fields and other ways with the same references."""
+def quality_rows(told):
+    """Compares the clock's fields and modes with the same references."""
     modes = [row for row in told["variants"] if row["layout"] in ("antialiased", "one sample")]
-    measured = [*told["fields"], *modes, *others["fields"]]
+    measured = [*told["fields"], *modes]
     return [{key: row[key] for key in QUALITY if key in row} for row in measured]
 
 
@@ -75,9 +73,7 @@ def main(arguments):
                                    "reference_samples": told["reference_samples"], "quick": is_quick})
             data["rows"] += trade_rows(name, told)
             if name == "clock":
-                others = kept(work / "others.json", bench.lab, "baselines", CLOCK, "--bytes", BASELINE_BYTES, "--cache",
-                              work / "cache", "--spp", told["reference_samples"], "--count", len(told["views"]))
-                data["quality"] = quality_rows(told, others)
+                data["quality"] = quality_rows(told)
     except bench.BenchError as error:
         sys.exit(f"trade.py: {error}")
     if options.docs:

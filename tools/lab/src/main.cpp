@@ -25,9 +25,9 @@ int main(int argc, char** argv)
 {
     const auto describe = [](CLI::App& lab) {
         using namespace lumi::lab;
-        lab.description("Measures the project: frames on emulated boards, and baselines.");
+        lab.description("Measures the project, above all frames on emulated boards.");
         for (const auto add :
-             {add_bench, add_frames, add_parts, add_work, add_baselines, add_draw, add_extremes, add_surface_extremes})
+             {add_bench, add_frames, add_parts, add_work, add_draw, add_extremes, add_surface_extremes})
             add(lab);
     };
     return lumi::tools::run_program("lumi-lab", describe, argc, argv);

@@ -35,7 +35,7 @@ struct ReportOptions {
     std::vector<planner::Pace> paces;
     quality::ViewSet set = quality::ViewSet::all;
     int views = quality::kHeldOutViews;
-    baker::ReferenceSettings reference = {256, 1, 0, false};
+    baker::ReferenceSettings reference = {256, 1, 0};
     std::vector<quality::DrawMode> modes;
     int size_px = quality::kViewSidePx;
 };

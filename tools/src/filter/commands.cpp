@@ -206,8 +206,8 @@ filter::Trial trial_of(const JudgeOptions& options, const FieldFile& field, cons
     print(stderr, "truths of %d views, kept in %s\n", options.views, options.cache.c_str());
     ProgressPrinter printer(stderr, stderr_is_terminal());
     filter::Trial trial;
-    trial.references = quality::references_of(scene, views, {options.samples, 1, options.scene.threads, false},
-                                              options.cache, watch(printer));
+    trial.references = quality::references_of(scene, views, {options.samples, 1, options.scene.threads}, options.cache,
+                                              watch(printer));
     for (const quality::HeldOutView& view : views) trial.drawn.push_back(filter::drawn_planes(field, view.eye));
     return trial;
 }

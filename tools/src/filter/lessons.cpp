@@ -50,7 +50,7 @@ public:
 
     Reference reference(const HeldOutView& view, uint32_t samples)
     {
-        const baker::ReferenceSettings settings = {samples, settings_.seed, settings_.threads, false};
+        const baker::ReferenceSettings settings = {samples, settings_.seed, settings_.threads};
         const uint64_t rays = quality::rays_of({view}, settings);
         return std::move(quality::references_of(scene_, {view}, settings, settings_.cache, course_.next(rays)).front());
     }

@@ -172,7 +172,7 @@ double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, d
                      const baker::ProgressCallback& progress)
 {
     const auto views = held_out_views(ViewSet::all, kQuickViews, kSidePx, cap);
-    const auto half = [&](uint64_t seed) { return baker::ReferenceSettings{kSamples, seed, threads, false}; };
+    const auto half = [&](uint64_t seed) { return baker::ReferenceSettings{kSamples, seed, threads}; };
     const uint64_t rays = rays_of(views, half(1));
     baker::JobSeries series(progress, 2 * rays);
     const auto a = references_of(scene, views, half(1), {}, series.next(rays));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A report knows these: the references of a scene's held-out views, and what fields and baselines show of them.
+// A report knows these: the references of a scene's held-out views, and what fields show of them.
 #pragma once
 
 #include <functional>

@@ -138,10 +138,10 @@ std::string file_stem(const HeldOutView& view, const baker::ReferenceSettings& s
 {
     char text[160];
     std::snprintf(text, sizeof text,
-                  "%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%d-spp%" PRIu32 "-%" PRIu64 "%s",
+                  "%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%08" PRIx32 "-%d-spp%" PRIu32 "-%" PRIu64,
                   host::turns32_from_degrees(view.azimuth_deg), host::turns32_from_degrees(view.elevation_deg),
                   static_cast<uint32_t>(host::q20_from_radii(view.distance)), view.eye.image.fov_turns32,
-                  view.eye.image.width_px, settings.samples, settings.seed, settings.through_centre ? "-centre" : "");
+                  view.eye.image.width_px, settings.samples, settings.seed);
     return text;
 }
 
@@ -234,15 +234,6 @@ std::vector<Reference> references_of(const baker::Scene& scene, const std::vecto
         tools::write_png(picture, references.back().picture);  // last: it says that both are there
     }
     return references;
-}
-
-std::vector<Reference> one_ray_pictures(const baker::Scene& scene, const std::vector<HeldOutView>& views,
-                                        baker::ReferenceSettings settings, const std::filesystem::path& cache,
-                                        const baker::ProgressCallback& progress)
-{
-    settings.through_centre = true;
-    ++settings.seed;  // its noise is not that of the reference
-    return references_of(scene, views, settings, cache, progress);
 }
 
 }  // namespace lumi::quality

@@ -69,9 +69,4 @@ std::vector<Reference> references_of(const baker::Scene& scene, const std::vecto
                                      const baker::ReferenceSettings& settings, const std::filesystem::path& cache,
                                      const baker::ProgressCallback& progress = {});
 
-// Traces what a field would show at best, without antialiasing: one exact ray a pixel, its light free of noise.
-std::vector<Reference> one_ray_pictures(const baker::Scene& scene, const std::vector<HeldOutView>& views,
-                                        baker::ReferenceSettings settings, const std::filesystem::path& cache,
-                                        const baker::ProgressCallback& progress = {});
-
 }  // namespace lumi::quality

@@ -30,8 +30,6 @@ struct ReferenceSettings {
     uint32_t samples = 64;  // 1: through the pixel's centre; more: spread uniformly over the pixel
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
-    // All samples through the pixel's centre: what one exact ray a pixel would show, free of noise.
-    bool through_centre = false;
 };
 
 // A ray that misses the scene is not covered; the environment lights the scene but is not seen. The pixels depend on

@@ -12,7 +12,6 @@ void add_bench(CLI::App& lab);
 void add_frames(CLI::App& lab);
 void add_parts(CLI::App& lab);
 void add_work(CLI::App& lab);
-void add_baselines(CLI::App& lab);
 void add_draw(CLI::App& lab);
 void add_extremes(CLI::App& lab);
 void add_surface_extremes(CLI::App& lab);
