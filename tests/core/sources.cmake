@@ -11,7 +11,6 @@ set(LUMI_CORE_TEST_SOURCES
   chord/cut_columns_test.cpp
   chord/exact_test.cpp
   chord/extreme_chord_test.cpp
-  chord/interlaced_test.cpp
   chord/linear_test.cpp
   chord/nine_taps_test.cpp
   chord/one_tap_test.cpp

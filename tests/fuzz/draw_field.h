@@ -71,7 +71,6 @@ inline void draw_chord(const Field& field, const Scene& s)
 {
     Camera camera;
     if (make_camera(s.pose, s.image, camera) != CameraError::none) return;
-    if ((s.choice & 0x100) != 0) camera = interlaced_half(camera, static_cast<int32_t>(s.choice >> 9 & 1));
     ++drawn.chords;
     detail::with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
 }

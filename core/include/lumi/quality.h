@@ -22,9 +22,8 @@ enum class SurfaceMode : uint8_t;  // the modes of surface fields: surface/frame
 
 // The modes of chord fields. Each costs more than the one before.
 enum class QualityStep : uint8_t {
-    one_tap_interlaced,  // Nearest by spans of 16, in every other scanline: interlaced_half() of either parity by turns
-    one_tap,             // Nearest by spans of 16
-    spans16,             // the firmware's reconstruction from here on
+    one_tap,  // Nearest by spans of 16
+    spans16,  // the firmware's reconstruction from here on
     spans8,
     spans4,
     spans2,
@@ -57,8 +56,8 @@ struct QualityModes<SurfaceMode> {
 // reconstruction costs more, a raise fails and is tried ever more seldom.
 template <>
 struct QualityModes<QualityStep> {
-    static constexpr uint8_t kFirst = 2, kFinestMoving = 4, kCoarsestResting = 2, kFinestResting = 6;
-    static constexpr uint8_t kGrowth_q4[] = {16, 34, 34, 20, 22, 28, 250};
+    static constexpr uint8_t kFirst = 1, kFinestMoving = 3, kCoarsestResting = 1, kFinestResting = 5;
+    static constexpr uint8_t kGrowth_q4[] = {16, 34, 20, 22, 28, 250};
 };
 
 struct LadderLimits {

@@ -122,17 +122,4 @@ CameraError make_camera(const Pose& pose, const Image& image, Camera& out)
     return CameraError::none;
 }
 
-Camera interlaced_half(const Camera& camera, int32_t parity)
-{
-    const auto every_other = [parity](const AffineQ40& a) {
-        return AffineQ40{a.at_first + parity * a.step_y, a.step_x, 2 * a.step_y};
-    };
-    Camera half = camera;
-    half.facing_ = every_other(camera.facing_);
-    for (int k = 0; k < 3; ++k) half.offset_[k] = every_other(camera.offset_[k]);
-    half.height_px_ = (camera.height_px_ + 1 - parity) / 2;
-    half.outline_ = make_outline(half);
-    return half;
-}
-
 }  // namespace lumi

@@ -53,7 +53,6 @@ uint64_t draw_chord(const Field& field, const Extreme& e, bool twice)
 {
     Camera camera;
     REQUIRE(make_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
-    if (e.choice % 16 == 1) camera = interlaced_half(camera, static_cast<int32_t>(e.choice >> 5 & 1));
     return draw_frame(e.edge, PixelRgb565::kBytes, twice, [&](const Stripe& stripe, uint8_t) {
         with_texel(field.texel_format,
                    [&](auto texel) { draw_chord<decltype(texel)>(field, camera, stripe, e.choice); });

@@ -18,7 +18,7 @@ using ChordControl = QualityControl<QualityStep>;
 // The time of a frame of each mode where spans of 16 take `spans16`: the ratios of 3×3 over luma8 on an M4.
 uint32_t duration(QualityStep mode, uint32_t spans16)
 {
-    constexpr double kRatio[] = {0.355, 0.71, 1, 1.1, 1.39, 2, 9.5};
+    constexpr double kRatio[] = {0.71, 1, 1.1, 1.39, 2, 9.5};
     return static_cast<uint32_t>(kRatio[static_cast<size_t>(mode)] * spans16);
 }
 
@@ -58,13 +58,8 @@ TEST_CASE("a moving object is drawn as finely as the budget allows", "[quality]"
     const struct {
         uint32_t spans16;
         QualityStep expected;
-    } cases[] = {{3000, QualityStep::spans4},
-                 {22000, QualityStep::spans4},
-                 {26000, QualityStep::spans8},
-                 {33000, QualityStep::spans16},
-                 {46000, QualityStep::one_tap},
-                 {80000, QualityStep::one_tap_interlaced},
-                 {900000, QualityStep::one_tap_interlaced}};
+    } cases[] = {{3000, QualityStep::spans4},   {22000, QualityStep::spans4},  {26000, QualityStep::spans8},
+                 {33000, QualityStep::spans16}, {46000, QualityStep::one_tap}, {900000, QualityStep::one_tap}};
     for (const auto& c : cases) {
         ChordControl control({kBudget});
         INFO(c.spans16);
@@ -121,7 +116,7 @@ TEST_CASE("at rest every frame is finer, whole, and the last one exact", "[quali
 {
     ChordControl control({kBudget});
     const QualityStep moving = moving_frames(control, 80000, 20).modes.back();
-    QualityStep before = QualityStep::one_tap;  // neither that nor interlaced
+    QualityStep before = QualityStep::one_tap;
     for (FrameQuality<QualityStep> q = control.next(1, false); q.draws; q = control.next(900000, false)) {
         CHECK(q.mode > before);
         before = q.mode;

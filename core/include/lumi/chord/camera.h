@@ -44,7 +44,7 @@ namespace lumi
 // Ranges and errors: ê and 1/e to 2^-28. m, P and their steps are Q40, below 2^12 for rays that miss and at most 1
 // where one hits. q lies between 1/26 (120 degrees, the axis near a corner of the image) and 1.
 //
-// Its parts belong together, so nothing changes them but make_camera and interlaced_half.
+// Its parts belong together, so nothing changes them but make_camera.
 class Camera
 {
 public:
@@ -59,7 +59,6 @@ public:
 
 private:
     friend CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
-    friend Camera interlaced_half(const Camera& camera, int32_t parity);
 
     void set_eye(const Vec3q20& eye, uint64_t distance2_q40);
     void set_view(const Pose& pose, const Image& image);
@@ -75,10 +74,5 @@ private:
 
 // Fills `out`, which stays untouched on failure.
 CameraError make_camera(const Pose& pose, const Image& image, Camera& out);
-
-// Returns the camera whose scanlines are every other one of `camera`'s image: scanline y is that of 2·y + parity. Its
-// stripes go to every other scanline of the display. Where the image is one scanline high, parity 1 has none: nothing
-// is drawn.
-Camera interlaced_half(const Camera& camera, int32_t parity);
 
 }  // namespace lumi
