@@ -9,8 +9,7 @@ takes it. Every branch that is not taken must have a sentence in tests/core/unta
 a sentence is an error, and so is a sentence whose branch is taken.
 
 --list prints the lines of that file that are missing, to be completed.
---again builds and runs nothing, and counts what the last run left. What lines the tests run goes to
-build/coverage/lines.json, which tools/lab/proof/mutants.py reads.
+--again builds and runs nothing, and counts what the last run left.
 """
 import collections
 import json
@@ -75,10 +74,9 @@ def instances_at(functions, number):
 
 
 def counted():
-    """{function on a line: {Branch: times taken}} and {path: {line: times run}} of core's files. A lambda has its own
-    branches on the line of its function."""
+    """{function on a line: {Branch: times taken}} of core's files. A lambda has its own branches on the line of its
+    function."""
     taken = collections.defaultdict(collections.Counter)
-    runs = collections.defaultdict(collections.Counter)
     for note in notes_of_gcov():
         for file in note["files"]:
             path = pathlib.Path(os.path.normpath(BUILD / file["file"]))
@@ -88,14 +86,13 @@ def counted():
             places = {f["name"]: (f["start_line"], f["start_column"]) for f in file["functions"]}
             for line in file["lines"]:
                 number, branches = line["line_number"], line["branches"]
-                runs[path][number] += line["count"]
                 instances, place = 1, places.get(line.get("function_name"))
                 if place is None:
                     instances, place = instances_at(file["functions"], number)
                 of = len(branches) // instances if len(branches) % instances == 0 else len(branches)
                 for index, branch in enumerate(branches):
                     taken[place][Branch(path, number, index % of + 1, of)] += branch["count"]
-    return taken, runs
+    return taken
 
 
 def sums_by_area(taken):
@@ -150,9 +147,7 @@ def main(words):
         sys.exit(__doc__)
     if "--again" not in words:
         build_and_run()
-    taken, runs = counted()
-    (BUILD / "lines.json").write_text(json.dumps(
-        {path: sorted(line for line, count in lines.items() if count > 0) for path, lines in runs.items()}))
+    taken = counted()
     rows = sums_by_area(taken)
     if rows[-1]["branches"] < 1000:
         stop("gcov knows hardly a branch: is it the gcc's?")
