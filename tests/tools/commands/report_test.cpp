@@ -122,8 +122,8 @@ TEST_CASE("report --for recommends for every part a row of its front, and names 
         }
     }
     const std::string html = test::content_of(page);
-    CHECK(html.find("lumi render") < html.find("<svg"));
-    CHECK(html.find("<svg") < html.find("<table"));
+    CHECK(html.find("lumi render") < html.find("<img"));
+    CHECK(html.find("<img") < html.find("<table"));
     CHECK_THAT(fields.report({"--for", "rp2040"}).out, Catch::StartsWith("RP2040 at 10"));
 }
 
