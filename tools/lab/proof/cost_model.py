@@ -14,7 +14,6 @@ import argparse
 import hashlib
 import json
 import pathlib
-import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -95,17 +94,13 @@ class Counter:
         return json.loads(kept.read_text())
 
 
-def scene_of(scene, work):
-    return scene if isinstance(scene, pathlib.Path) else work / "scenes" / scene
-
-
 def surface_fields(work):
-    return [(name, bench.bake(work / f"{slug(name)}.lumi", scene_of(scene, work), *SURFACE, *options))
+    return [(name, bench.bake(work / f"{slug(name)}.lumi", bench.ROOT / "tools/lab/scenes" / scene, *SURFACE, *options))
             for name, scene, options in SURFACE_FIELDS]
 
 
 def chord_fields(work, fields, texels):
-    return [(name, texel, own, bench.bake(work / f"{slug(name)}.{texel}.lumi", scene_of(scene, work), *CHORD, *options,
+    return [(name, texel, own, bench.bake(work / f"{slug(name)}.{texel}.lumi", bench.ROOT / "tools/lab/scenes" / scene, *CHORD, *options,
                                           "--texel", texel))
             for name, scene, options, own in fields
             for texel in (texels if texels and scene != TRANSPARENT else [own])]
@@ -217,8 +212,7 @@ def main(arguments):
     parser.add_argument("--work", type=pathlib.Path, default=bench.ROOT / "build/model", help="[build/model]")
     options = parser.parse_args(arguments)
     work = options.work.absolute()
-    (work / "scenes").mkdir(parents=True, exist_ok=True)
-    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
+    work.mkdir(parents=True, exist_ok=True)
     try:
         counter = Counter(options.core.split(","), work)
         rows = {}
