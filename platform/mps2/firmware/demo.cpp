@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// lumi_demo_firmware: draws a turn around the object in its field and reports, frame by frame over semihosting, the
-// picture's CRC, what drawing cost, and the picture itself when asked. See kUsage.
+// lumi_demo_firmware: draws a turn around the object in its field, stripe by stripe, as firmware does that feeds a
+// panel. Reports over semihosting each picture's CRC, what drawing cost, and the picture itself when asked. See kUsage.
+#include <cstdlib>
 #include <cstring>
+#include <optional>
 
+#include "lumi/chord/render.h"
 #include "lumi/color.h"
+#include "lumi/detail/crc32.h"
 #include "lumi/mps2/board.h"
 #include "lumi/mps2/meters.h"
-#include "measured_frame.h"
 #include "text_line.h"
 
 // embedded_field.S defines both.
@@ -26,112 +29,77 @@ constexpr int32_t kDistanceQ20 = 5 * kOneQ20 / 2;    // 2.5 radii
 constexpr uint32_t kFieldOfViewTurns32 = 536870912;  // 45 degrees: the sphere nearly fills the picture
 constexpr int kFrameDigits = 3;
 
-constexpr uint32_t kBlockPixels = 256;  // a call of semihosting costs far more than its bytes
-constexpr uint32_t kBytesPerRgb565 = 2;
-constexpr uint32_t kBytesPerRgb888 = 3;
+constexpr int32_t kSide = 240, kStripeHeight = 16;
+static_assert(kSide % kStripeHeight == 0, "every stripe is full");
+constexpr uint32_t kStrideBytes = kSide * PixelRgb565::kBytes;
+constexpr OverColour kBackground = {{24, 28, 36}};
 
 constexpr uint32_t kMaxFrames = 999;
 constexpr const char* kUsage =
     "usage: [--frames 1..999] [--mode nearest|linear|paper] [--verify] [--write PREFIX]\n"
     "The field is linked into the program, or loaded to the start of the board's PSRAM.\n";
 
+// Draws a stripe as RGB565 with the policies that a field and a mode ask for.
+using DrawStripe = RenderError (*)(const Field&, const Camera&, const Stripe&);
+
 struct DemoOptions {
-    uint32_t frames = 1;  // frames in one turn around the object; 1 .. kMaxFrames
-    Mode mode = Mode::linear;
+    uint32_t frames = 1;  // in one turn around the object
+    const char* mode = "linear";
     bool verify = false;                 // check the CRC of every section first
     const char* write_prefix = nullptr;  // write frame k to "<prefix>-<k>.ppm" on the host
 };
 
-bool parse_count(const char* text, uint32_t& out)
-{
-    uint32_t value = 0;
-    for (const char* digit = text; *digit != '\0'; ++digit) {
-        if (*digit < '0' || *digit > '9' || value > kMaxFrames) return false;
-        value = value * 10 + static_cast<uint32_t>(*digit - '0');
-    }
-    out = value;
-    return value >= 1 && value <= kMaxFrames;
-}
-
-bool parse_mode(const char* text, Mode& out)
-{
-    constexpr const char* kNames[] = {"nearest", "linear", "paper"};
-    for (uint8_t i = 0; i < sizeof(kNames) / sizeof(kNames[0]); ++i) {
-        if (std::strcmp(text, kNames[i]) == 0) {
-            out = static_cast<Mode>(i);
-            return true;
-        }
-    }
-    return false;
-}
-
-// An option with a value; false if it is unknown or the value is wrong.
-bool parse_pair(const char* name, const char* value, DemoOptions& options)
-{
-    if (std::strcmp(name, "--frames") == 0) return parse_count(value, options.frames);
-    if (std::strcmp(name, "--mode") == 0) return parse_mode(value, options.mode);
-    if (std::strcmp(name, "--write") == 0) {
-        options.write_prefix = value;
-        return true;
-    }
-    return false;
-}
-
-// Fills `out`; on failure returns the argument that is wrong, else null. argv[0] is skipped.
-const char* parse(int argc, char** argv, DemoOptions& out)
-{
-    DemoOptions options;
-    for (int i = 1; i < argc; ++i)
-        if (std::strcmp(argv[i], "--verify") == 0)
-            options.verify = true;
-        else if (i + 1 < argc && parse_pair(argv[i], argv[i + 1], options))
-            ++i;
-        else
-            return argv[i];
-    out = options;
-    return nullptr;
-}
-
-void unpack(const uint8_t* rgb565, uint8_t* rgb888)
-{
-    const Rgb8 colour = detail::unpack_rgb565(static_cast<uint16_t>(rgb565[0] | rgb565[1] << 8));
-    rgb888[0] = colour.r;
-    rgb888[1] = colour.g;
-    rgb888[2] = colour.b;
-}
-
-// This is a binary PPM picture (P6) on the host, written stripe by stripe from the panel's own RGB565 pixels.
-class PpmFile
-{
-public:
-    PpmFile(const char* path, uint32_t width_px, uint32_t height_px);
-
-    // Appends pixels (RGB565, two bytes each in the CPU's byte order); false after a failure.
-    bool append_rgb565(const uint8_t* pixels, uint32_t bytes);
-    bool ok() const { return file_.ok(); }
-
-private:
-    mps2::OutputFile file_;
+// What the frame's stripes cost, in render() alone.
+struct FrameReport {
+    uint32_t crc = 0;
+    uint32_t covered_px = 0;    // pixels whose ray meets the sphere
+    uint64_t instructions = 0;  // to within a SysTick tick a stripe
+    uint32_t stack_bytes = 0;   // deepest stack below its caller
 };
 
-PpmFile::PpmFile(const char* path, uint32_t width_px, uint32_t height_px) : file_(path)
+uint8_t stripe_pixels[kStrideBytes * kStripeHeight];
+
+template <class Reconstruction>
+DrawStripe renderer_of(TexelFormat texels)
 {
-    TextLine header;
-    header.text("P6\n").decimal(width_px).text(" ").decimal(height_px).text("\n255\n");
-    file_.write(header.c_str(), std::strlen(header.c_str()));
+    return detail::with_texel(
+        texels,
+        [](auto texel) -> DrawStripe {
+            return [](const Field& field, const Camera& camera, const Stripe& stripe) {
+                return render<Reconstruction, decltype(texel), PixelRgb565>(field, camera, kBackground, stripe);
+            };
+        });
 }
 
-bool PpmFile::append_rgb565(const uint8_t* pixels, uint32_t bytes)
+// Null for an unknown mode.
+DrawStripe choose_renderer(const char* mode, TexelFormat texels)
 {
-    uint8_t block[kBlockPixels * kBytesPerRgb888];
-    const uint8_t* end = pixels + bytes;
-    while (pixels < end) {
-        uint32_t filled = 0;
-        for (; filled < sizeof(block) && pixels < end; filled += kBytesPerRgb888, pixels += kBytesPerRgb565)
-            unpack(pixels, block + filled);
-        file_.write(block, filled);
+    if (std::strcmp(mode, "nearest") == 0) return renderer_of<Nearest>(texels);
+    if (std::strcmp(mode, "linear") == 0) return renderer_of<Linear>(texels);
+    return std::strcmp(mode, "paper") == 0 ? renderer_of<Paper<5>>(texels) : nullptr;
+}
+
+// False where a word is unknown or a value cannot be.
+bool parse(int argc, char** argv, DemoOptions& options)
+{
+    for (int i = 1; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--verify") == 0) {
+            options.verify = true;
+            continue;
+        }
+        const char* const name = argv[i];
+        if (++i == argc) return false;
+        if (std::strcmp(name, "--frames") == 0)
+            options.frames = static_cast<uint32_t>(std::strtoul(argv[i], nullptr, 10));
+        else if (std::strcmp(name, "--mode") == 0)
+            options.mode = argv[i];
+        else if (std::strcmp(name, "--write") == 0)
+            options.write_prefix = argv[i];
+        else
+            return false;
     }
-    return file_.ok();
+    return options.frames >= 1 && options.frames <= kMaxFrames &&
+           choose_renderer(options.mode, TexelFormat::rgb888) != nullptr;
 }
 
 int fail(const char* what, const char* why)
@@ -141,20 +109,44 @@ int fail(const char* what, const char* why)
     return kFailureExitCode;
 }
 
-bool discard(void*, const uint8_t*, uint32_t)
+// A binary PPM picture (P6): its header, then the panel's own pixels, stripe by stripe.
+void write_header(mps2::OutputFile& file)
 {
-    return true;
+    TextLine header;
+    header.text("P6\n").decimal(kSide).text(" ").decimal(kSide).text("\n255\n");
+    file.write(header.c_str(), std::strlen(header.c_str()));
 }
 
-bool append_to_picture(void* picture, const uint8_t* pixels, uint32_t bytes)
+void write_stripe(mps2::OutputFile& file)
 {
-    return static_cast<PpmFile*>(picture)->append_rgb565(pixels, bytes);
+    uint8_t row[3 * kSide];
+    for (const uint8_t* at = stripe_pixels; at < stripe_pixels + sizeof(stripe_pixels);) {
+        for (uint8_t* out = row; out < row + sizeof(row); out += 3, at += PixelRgb565::kBytes) {
+            const Rgb8 colour = detail::unpack_rgb565(static_cast<uint16_t>(at[0] | at[1] << 8));
+            out[0] = colour.r;
+            out[1] = colour.g;
+            out[2] = colour.b;
+        }
+        file.write(row, sizeof(row));
+    }
 }
 
-FrameReport draw_to_file(const Field& field, const Camera& camera, DrawStripe draw, const char* path)
+// Draws one stripe and adds its cost to the report.
+RenderError draw_measured(const Field& field, const Camera& camera, DrawStripe draw, int32_t y, FrameReport& report)
 {
-    PpmFile picture(path, kFrameWidth, kFrameHeight);
-    return draw_measured_frame(field, camera, draw, {append_to_picture, &picture});
+    mps2::StackMeter meter;
+    meter.paint();
+    const uint64_t begin = mps2::instructions();
+    const RenderError error = draw(field, camera, {stripe_pixels, 0, y, kSide, kStripeHeight, kStrideBytes});
+    report.instructions += mps2::instructions() - begin;
+    const uint32_t stack_bytes = meter.high_water_bytes();
+    report.stack_bytes = stack_bytes > report.stack_bytes ? stack_bytes : report.stack_bytes;
+    report.crc = detail::crc32(report.crc, stripe_pixels, sizeof(stripe_pixels));
+    for (int32_t row = y; row < y + kStripeHeight; ++row) {
+        const detail::Extent span = detail::covered_extent(camera, row, 0, kSide);
+        report.covered_px += static_cast<uint32_t>(span.end - span.begin);
+    }
+    return error;
 }
 
 void write_report(uint32_t frame, const FrameReport& report)
@@ -167,38 +159,38 @@ void write_report(uint32_t frame, const FrameReport& report)
     mps2::write(line.text(" stack ").decimal(report.stack_bytes).text("\n").c_str());
 }
 
-int draw_one(const Field& field, const DemoOptions& options, uint32_t frame)
+int draw_frame(const Field& field, const DemoOptions& options, uint32_t frame)
 {
     const uint32_t azimuth_turns32 = static_cast<uint32_t>((uint64_t{frame} << 32) / options.frames);
     Camera camera;
     const CameraError error = make_camera(detail::orbit(azimuth_turns32, kElevationTurns32, kDistanceQ20),
-                                          {kFrameWidth, kFrameHeight, kFieldOfViewTurns32}, camera);
+                                          {kSide, kSide, kFieldOfViewTurns32}, camera);
     if (error != CameraError::none) return fail("camera", describe(error));
-    const DrawStripe draw = choose_renderer(options.mode, field.texel_format);
-    FrameReport report;
+    std::optional<mps2::OutputFile> picture;
     if (options.write_prefix != nullptr) {
         TextLine path;
         path.text(options.write_prefix).text("-").decimal(frame, kFrameDigits).text(".ppm");
-        report = draw_to_file(field, camera, draw, path.c_str());
-    } else {
-        report = draw_measured_frame(field, camera, draw, {discard, nullptr});
+        write_header(picture.emplace(path.c_str()));
+    }
+    const DrawStripe draw = choose_renderer(options.mode, field.texel_format);
+    FrameReport report;
+    for (int32_t y = 0; y < kSide; y += kStripeHeight) {
+        if (draw_measured(field, camera, draw, y, report) != RenderError::none) return fail("frame", "not complete");
+        if (picture) write_stripe(*picture);
     }
     write_report(frame, report);
-    return report.complete ? 0 : fail("frame", "not complete; can the picture's file be written?");
+    return !picture || picture->ok() ? 0 : fail("picture", "it cannot be written");
 }
 
 // The field: linked into the program from the file that LUMI_FIRMWARE_FIELD names, or put into PSRAM by the loader.
+mps2::LoadedField firmware_field()
+{
 #ifdef LUMI_FIRMWARE_FIELD
-mps2::LoadedField firmware_field()
-{
     return {lumi_field_start, static_cast<size_t>(lumi_field_end - lumi_field_start)};
-}
 #else
-mps2::LoadedField firmware_field()
-{
     return mps2::loaded_field(0);
-}
 #endif
+}
 
 int run(const DemoOptions& options)
 {
@@ -209,7 +201,7 @@ int run(const DemoOptions& options)
     if (error != FieldError::none) return fail("field", describe(error));
     mps2::start_instruction_counter();
     int code = 0;
-    for (uint32_t frame = 0; frame < options.frames && code == 0; ++frame) code = draw_one(field, options, frame);
+    for (uint32_t frame = 0; frame < options.frames && code == 0; ++frame) code = draw_frame(field, options, frame);
     return code;
 }
 
@@ -218,13 +210,8 @@ int run(const DemoOptions& options)
 
 int main(int argc, char** argv)
 {
-    using namespace lumi::firmware;
-    DemoOptions options;
-    const char* wrong = parse(argc, argv, options);
-    if (wrong != nullptr) {
-        fail("option", wrong);
-        lumi::mps2::write(kUsage);
-        return kUsageExitCode;
-    }
-    return run(options);
+    lumi::firmware::DemoOptions options;
+    if (lumi::firmware::parse(argc, argv, options)) return lumi::firmware::run(options);
+    lumi::mps2::write(lumi::firmware::kUsage);
+    return lumi::firmware::kUsageExitCode;
 }
