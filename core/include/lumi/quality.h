@@ -33,7 +33,7 @@ enum class QualityStep : uint8_t {
 // Returns the span of render_spans() and of a view's look(); 1 stands for render().
 constexpr int32_t span_px_of(QualityStep step)
 {
-    return step <= QualityStep::spans16 ? 16 : 64 >> static_cast<int32_t>(step);
+    return step <= QualityStep::spans16 ? 16 : 32 >> static_cast<int32_t>(step);
 }
 
 }  // namespace lumi
