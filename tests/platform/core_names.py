@@ -14,6 +14,7 @@ samples    Compiles a firmware whose views share samples, and two that must not 
 layouts    Compiles a firmware for each layout, and fails where it includes a header of the other one.
 """
 import collections
+import json
 import pathlib
 import re
 import subprocess
@@ -29,8 +30,6 @@ C_HEADER, C_PAGE = INCLUDE / "lumi" / "lumi.h", ROOT / "core" / "README.md"
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
 TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|' r"'(?:\\.|[^'\\])+'" r"|[A-Za-z_]\w*|::|\[\[|\]\]|\d[\w']*|\S")
-WORD = re.compile(r"[A-Za-z_]\w*$")
-CLOSING = {"(": ")", "{": "}", "[": "]", "[[": "]]", "<": ">"}
 NO_NAMES = {"asm", "auto", "bool", "case", "char", "class", "const", "do", "else", "enum", "for", "if", "int", "long",
             "new", "this", "true", "using", "void", "while", "false", "short", "float"}
 LONGEST_SHORT = 5
@@ -38,119 +37,56 @@ LONGEST_SHORT = 5
 Name = collections.namedtuple("Name", "scope kind name")
 
 
-class Header:
-    """The names that a header declares in namespaces: a parser of as much C++ as core's headers are."""
+# What clang calls the declarations of each kind.
+KINDS = {**dict.fromkeys(("CXXRecordDecl", "ClassTemplateDecl", "EnumDecl", "TypeAliasDecl", "TypeAliasTemplateDecl"), "type"),
+         **dict.fromkeys(("FunctionDecl", "FunctionTemplateDecl"), "function"),
+         **dict.fromkeys(("VarDecl", "VarTemplateDecl"), "variable")}
+CORES = ("cortex-m0plus", "cortex-m4")  # both have declarations of their own
+CLANG = ["clang++", "-std=c++17", "-fsyntax-only", "-w", "-ffreestanding", "--target=arm-none-eabi", "-mthumb", "-x", "c++",
+         "-Xclang", "-ast-dump=json", "-I", str(INCLUDE), "-"]
 
-    def __init__(self, text):
-        self.tokens = TOKEN.findall(DIRECTIVE.sub("", COMMENT.sub("", text)))
-        self.at, self.names = 0, []
-        scopes = []
-        while self.at < len(self.tokens):
-            token = self.tokens[self.at]
-            if token == "namespace":
-                scopes.append(self.namespace())
-            elif token == "extern" and self.tokens[self.at + 1] == '"C"':
-                scopes.append("")
-                self.at += 3
-            elif token == "}":
-                scopes.pop()
-                self.at += 1
-            else:
-                scope = "::".join(filter(None, scopes))
-                self.names += [Name(scope, kind, name) for kind, name in self.declaration()]
 
-    def namespace(self):
-        begin = self.at + 1
-        self.at = self.tokens.index("{", begin) + 1
-        return "".join(self.tokens[begin:self.at - 1])
+class Declarations:
+    """The names that core's headers declare in namespaces, as clang sees them for a core."""
 
-    def skip(self):
-        """From an opening token to behind the one that closes it."""
-        opening, depth = self.tokens[self.at], 0
-        while True:
-            token = self.tokens[self.at]
-            if opening == "<" and token == "(":
-                self.skip()
-                continue
-            depth += (token == opening) - (token == CLOSING[opening])
-            self.at += 1
-            if depth == 0:
-                return
+    def __init__(self, core):
+        self.file, self.found = "", collections.defaultdict(list)
+        source = "".join(f"#include <{path.relative_to(INCLUDE)}>\n" for path in HEADERS)
+        said = subprocess.run([*CLANG, f"-mcpu={core}"], input=source, capture_output=True, text=True, check=True).stdout
+        self.visit(json.loads(said), "")
 
-    def skip_to(self, ends):
-        while self.tokens[self.at] not in ends:
-            if self.tokens[self.at] in "({[":
-                self.skip()
-            else:
-                self.at += 1
+    def visit(self, node, scope):
+        """scope: None inside of what is no namespace. Clang names a file only where it is another than before."""
+        place = node.get("loc", {})
+        for begin in (place.get("spellingLoc", place), place.get("expansionLoc", {}), *node.get("range", {}).values()):
+            self.file = begin.get("file", self.file)
+        kind, name = node["kind"], node.get("name", "")
+        if scope and kind in KINDS and name.isidentifier() and self.is_defined(node):
+            self.found[self.file].append(Name(scope, KINDS[kind], name))
+        if kind == "NamespaceDecl":
+            scope = f"{scope}::{name}".strip(":")
+        elif kind not in ("TranslationUnitDecl", "LinkageSpecDecl"):
+            scope = None
+        for inner in node.get("inner", []):
+            if "kind" in inner:
+                self.visit(inner, scope)
 
-    def declaration(self):
-        """One declaration, and the names that it makes: (kind, name) each. A specialization makes none."""
-        is_special = False
-        while self.tokens[self.at] == "template":
-            is_special |= self.tokens[self.at + 2] == ">"
-            self.at += 1
-            self.skip()
-        first = self.tokens[self.at]
-        if first in ("struct", "class", "enum"):
-            found = self.type()
-        elif first in ("using", "static_assert"):
-            name = self.tokens[self.at + 1]
-            found = [("type", name)] if first == "using" and name != "namespace" else []
-            self.skip_to(";")
-        else:
-            found = self.function_or_variables()
-        self.at += self.at < len(self.tokens) and self.tokens[self.at] == ";"
-        return [] if is_special else found
-
-    def type(self):
-        self.at += 1
-        while self.tokens[self.at] in ("class", "struct", "[["):
-            if self.tokens[self.at] == "[[":
-                self.skip()
-            else:
-                self.at += 1
-        name = self.tokens[self.at]
-        is_special = self.tokens[self.at + 1] == "<"
-        self.skip_to("{;") if not is_special else self.skip_to_body()
-        is_defined = self.tokens[self.at] == "{"
-        if is_defined:
-            self.skip()
-        return [("type", name)] if is_defined and not is_special else []
-
-    def skip_to_body(self):
-        while self.tokens[self.at] not in "{;":
-            self.at += 1
-
-    def function_or_variables(self):
-        last, found = None, []
-        while self.tokens[self.at] != ";":
-            token = self.tokens[self.at]
-            if token in ("__attribute__", "alignas", "decltype"):
-                self.at += 1
-                self.skip()
-            elif token == "(" and last:
-                self.skip_to("{;")
-                if self.tokens[self.at] == "{":
-                    self.skip()
-                return [("function", last)]
-            elif token in "=," and last:
-                found.append(("variable", last))
-                self.skip_to(",;")
-                last = None
-                self.at += self.tokens[self.at] == ","
-            elif token in ("<", "[", "[["):
-                self.skip()
-            else:
-                last = token if WORD.match(token) else last
-                self.at += 1
-        return found + ([("variable", last)] if last else [])
+    @staticmethod
+    def is_defined(node):
+        if node["kind"] == "ClassTemplateDecl":
+            return any(inner.get("completeDefinition") for inner in node["inner"] if inner["kind"] == "CXXRecordDecl")
+        return {"CXXRecordDecl": "completeDefinition", "EnumDecl": "inner"}.get(node["kind"], "kind") in node
 
 
 def all_names():
     """{header's path below lumi/: names}"""
-    return {str(path.relative_to(INCLUDE / "lumi")): Header(path.read_text(encoding="utf-8")).names
+    found = [Declarations(core).found for core in CORES]
+    return {str(path.relative_to(INCLUDE / "lumi")): sorted({name for of in found for name in of.get(str(path), [])})
             for path in HEADERS}
+
+
+def tokens_of(path):
+    return TOKEN.findall(DIRECTIVE.sub("", COMMENT.sub("", path.read_text(encoding="utf-8"))))
 
 
 def public_names(names):
@@ -236,7 +172,7 @@ def own_names(names):
                 for scope in n.scope.split("::")[2:]:
                     own.setdefault(scope, "variable")
     for path in HEADERS:
-        for token in Header(path.read_text(encoding="utf-8")).tokens:
+        for token in tokens_of(path):
             if re.match(r"[a-z]\w*$", token) and len(token) <= LONGEST_SHORT and token not in NO_NAMES:
                 own.setdefault(token, "variable")
     for name, _ in public_names(names):
@@ -267,7 +203,7 @@ def check_firmware(compiler):
 def check_layouts(compiler):
     problems = []
     for layout, other in (("surface", "chord"), ("chord", "surface")):
-        headers = [h for h in all_names() if not h.startswith(other + "/")]
+        headers = [h for h in map(str, (p.relative_to(INCLUDE / "lumi") for p in HEADERS)) if not h.startswith(other + "/")]
         source = includes(headers) + "#define LUMI_C_" + ("TEXEL TexelRgb565" if layout == "chord" else "NO_TEXEL") + \
             f'\n#include "{ROOT}/core/src/c/lumi.cpp"\n'
         listed = subprocess.run([*compiler, "-std=c++17", "-M", "-I", str(INCLUDE), "-x", "c++", "-"], input=source,
