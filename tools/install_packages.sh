@@ -37,7 +37,7 @@ test_packages=(
   python3                                                                   # the generator of the scenes, includes
   python3-numpy)                                                            # the fit of what drawing costs
 all_packages=(
-  clang-format cppcheck g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
+  clang-format cppcheck gcovr g++-i686-linux-gnu g++-riscv64-linux-gnu dpkg-dev lintian groff-base
   libtorch-dev           # `lumi filter train`, `lumi render --filter`
   blender                # its export, beside Cycles
   chromium)              # the page of `lumi view`
