@@ -70,7 +70,6 @@ public:
     // Where fixtures stand that stand somewhere.
     std::vector<Vec3> positions() const { return fixtures_.positions(); }
 
-    // Whether some points take two samples.
     bool takes_two() const { return takes_two_; }
     // Calls take(sample, u) for each sample that a point takes. u is uniform in [0, 1] again, for the caller's use.
     template <class Take>

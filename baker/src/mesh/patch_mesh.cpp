@@ -73,7 +73,6 @@ MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap&
     return loss;
 }
 
-// Returns the triangles of patches from `begin` to `end`.
 Mesh triangles_of(const PatchMesh& mesh, uint32_t begin, uint32_t end, std::vector<uint32_t>& numbers)
 {
     Mesh result;

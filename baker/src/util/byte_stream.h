@@ -97,7 +97,6 @@ public:
     uint32_t get32() { return got<uint32_t>(); }
     uint64_t get64() { return got<uint64_t>(); }
     float get_float() { return got<float>(); }
-    double get_double() { return got<double>(); }
 
     template <class... T>
     void operator()(T&... values)

@@ -223,7 +223,6 @@ Triangle unmirrored(const Lattice& lattice, const Query& q, const PolarTriangle&
     return result;
 }
 
-// Returns the triangle of a cell of the lattice.
 Triangle cell_triangle(const Lattice& lattice, const Query& q)
 {
     constexpr int32_t kOne = static_cast<int32_t>(kWeightOneQ12);

@@ -10,7 +10,6 @@ namespace lumi::baker::testing
 namespace
 {
 
-// A square of four texels.
 FitShape four_texels()
 {
     PatchMesh mesh;

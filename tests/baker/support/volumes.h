@@ -33,7 +33,6 @@ Grid grid_of(uint32_t nx, uint32_t ny, uint32_t nz, const Vec3& low, const Vec3&
     return grid;
 }
 
-// Fog of one density in a box.
 inline Volume fog(float density, const Rgb& colour, const Vec3& low, const Vec3& high)
 {
     return {grid_of(

@@ -113,7 +113,6 @@ TEST_CASE("a surface without values on both sides is empty", "[iso]")
     CHECK(iso_surface(ball_grid(), 1).corners.empty());
 }
 
-// Two balls, of radius 6 and 2.
 Mesh two_balls()
 {
     return iso_surface(grid_of([](float x, float y, float z) {

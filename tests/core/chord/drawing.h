@@ -12,7 +12,6 @@
 namespace lumi::test
 {
 
-// A field and the bytes that it stands on.
 struct OpenField {
     const Bytes bytes;
     Field field;

@@ -56,7 +56,6 @@ struct TexelSum<CheckedLuma8, kCoverage> {
     static constexpr int kTapBits = 8;
     static constexpr bool kUpperHalves = false;
     static constexpr bool kLowerHalves = false;
-    static constexpr bool kRowByRow = false;
     static constexpr int kBefore = 0;
 
     struct Row {

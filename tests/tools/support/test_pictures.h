@@ -73,7 +73,6 @@ inline Picture blurred(const Picture& picture, int radius)
     return result;
 }
 
-// A random coloured picture.
 inline Picture random_picture(int width, int height, unsigned seed)
 {
     std::mt19937 random(seed);

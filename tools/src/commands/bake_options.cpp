@@ -63,7 +63,6 @@ Layout resolved_layout(const CLI::App& command, Layout layout)
     return chord != nullptr ? Layout::chord : shape != nullptr ? Layout::surface : Layout::automatic;
 }
 
-// The settings of a chord field.
 baker::BakeSettings chord_of(const BakeOptions& options)
 {
     baker::BakeSettings settings = options.chord;

@@ -29,7 +29,6 @@ struct SceneOptions {
 // Adds SCENE, --up, --sky, --exposure, --colours, --frame, --animation, --iso and --pieces; parsed values go to
 // `options`, which must outlive the parse.
 void add_scene_options(CLI::App& command, SceneOptions& options);
-// Adds --threads.
 void add_thread_option(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.

@@ -60,7 +60,6 @@ double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t d
 
 // A set-associative cache with least-recently-used replacement, fed with the addresses that a renderer reads.
 
-// A read of `bytes` bytes at `address`.
 struct Read {
     uint32_t address, bytes;
 };

@@ -67,7 +67,6 @@ struct Yardstick {
 
 using DrawView = std::function<tools::Picture(const HeldOutView&)>;
 
-// Draws and judges all views.
 Measured measured(const std::string& name, const std::string& layout, uint64_t flash_bytes, const DrawView& draw,
                   const std::vector<HeldOutView>& views, const std::vector<Reference>& references);
 

@@ -18,7 +18,6 @@ std::string escaped(std::string text);
 // Writes a number with so many digits behind the point.
 std::string number(double value, int places);
 
-// Makes a cell of a table from HTML.
 std::string cell(const std::string& html);
 
 // Encodes by RFC 4648, with padding.

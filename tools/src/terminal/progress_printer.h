@@ -125,7 +125,6 @@ private:
     std::optional<Teller> teller_;
 };
 
-// Whether stderr is a terminal.
 bool stderr_is_terminal();
 
 // One line without its end: {"elapsed_seconds":3.0,"eta_seconds":9.5,"rays_done":437,"rays_per_second":124.0,
