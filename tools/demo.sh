@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # tools/demo.sh [--quick] [SCENE]
 # From a scene to pictures: builds `lumi`, bakes the scene (ours: a desk clock) into a surface field of at most 0.5 MB and
-# into a chord field, the layout of the LumiPath paper, draws a turntable from each, path-traces three of the views as
-# references and compares them. Everything lands in the folder out.
+# into a chord field, the layout of the LumiPath paper, draws a turntable from each, and compares both with path-traced
+# references. Everything lands in the folder out.
 # --quick bakes an eighth of a megabyte. Installs missing packages when run as root.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -14,8 +14,7 @@ surface=()                   # the default; minutes on two cores
 chord=(--layout chord)       # 1024 × 2048 rays of a byte
 reference_spp=256
 orbit=30,20,3 size=320x320 background=202428
-views=12 references=3  # a reference is compared with every (views / references)-th view
-drawings=(surface one-sample chord)
+views=12 references=3
 out=$root/out
 lumi=$root/build/release/tools/lumi
 
@@ -42,14 +41,9 @@ bake_chord() {
   "$lumi" bake "$scene" -o "$out/$name-chord.lumi" "${chord[@]}"
 }
 
-view_options() {
-  printf '%s\n' --orbit "$orbit" --size "$size" --background "$background"
-}
-
 draw_turntable() {
-  local options
-  mapfile -t options < <(view_options)
-  "$lumi" render "$out/$1.lumi" -o "$out/$name-$2.png" --mode "$3" --turntable "$views" "${options[@]}" >/dev/null
+  "$lumi" render "$out/$1.lumi" -o "$out/$name-$2.png" --mode "$3" --turntable "$views" --orbit "$orbit" --size "$size" \
+    --background "$background" >/dev/null
 }
 
 draw_turntables() {
@@ -66,33 +60,9 @@ write_page() {
   fi
 }
 
-trace_references() {
-  local options
-  mapfile -t options < <(view_options)
-  "$lumi" reference "$scene" -o "$out/$name-reference.png" --spp "$reference_spp" --turntable "$references" \
-    "${options[@]}" >/dev/null
-}
-
-# The row of one view: PSNR and SSIM of every drawing.
-compare_view() {
-  local drawing figures row
-  row=$(printf '%-8s' "$(printf '%03d' "$2")")
-  for drawing in "${drawings[@]}"; do
-    figures=$("$lumi" compare "$out/$name-$drawing-$(printf '%03d' "$2").png" \
-      "$out/$name-reference-$(printf '%03d' "$1").png")
-    row+=$(awk '/^PSNR/ { psnr = $2 } /^SSIM/ { ssim = $2 } END { printf "  %5s dB  %.3f", psnr, ssim }' <<<"$figures")
-  done
-  printf '%s\n' "$row"
-}
-
-compare_views() {
-  local k
-  printf 'PSNR and SSIM against path-traced references\n%-8s' view
-  printf '  %-15s' "${drawings[@]}"
-  printf '\n'
-  for ((k = 0; k < references; ++k)); do
-    compare_view "$k" $((k * views / references))
-  done
+compare_fields() {
+  "$lumi" report "$scene" "$out/$name.lumi" "$out/$name-chord.lumi" -o "$out/$name-report.html" --cache "$out/report" \
+    --count "$references" --spp "$reference_spp" --size "${size%x*}"
 }
 
 print_where() {
@@ -103,7 +73,7 @@ $name-surface-sheet.png    the turntable, as a microcontroller draws it from $(s
 $name-surface-000.png ...  its views one by one; -one-sample- with one sample a pixel, the fastest
 $name-chord-sheet.png      the same from a chord field, the layout of the LumiPath paper:
                            lumi bake $scene -o $name-chord.lumi ${chord[*]}
-$name-reference-sheet.png  the path-traced references
+$name-report.html          both fields beside path-traced references, with errors and figures
 $name.lumi                 the field
 END
 }
@@ -117,9 +87,8 @@ main() {
   run_step "Bake $(basename "$scene")" bake_surface
   run_step "Write a page to turn it in a browser" write_page
   run_step "Bake a chord field" bake_chord
-  run_step "Draw $views views of each of: ${drawings[*]}" draw_turntables
-  run_step "Path-trace $references of the views, $reference_spp samples a pixel" trace_references
-  run_step "Compare" compare_views
+  run_step "Draw $views views of the surface field, of it with one sample a pixel, of the chord field" draw_turntables
+  run_step "Compare with $references path-traced views, $reference_spp light paths a pixel" compare_fields
   print_step_times
   print_where
 }
