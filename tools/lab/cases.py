@@ -11,14 +11,15 @@ LEAST_PSNR dB, where a picture is stated, and says what is stated."""
 import argparse
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools/lab/devices"))
+from picture import read_png  # noqa: E402
+
 LEAST_PSNR = 30
 VIEW = ["--size", "96x96", "--spp", "64", "--orbit", "30,20,3"]
 
@@ -68,30 +69,12 @@ class Shows:
 
 
 def picture_of(path):
-    """Colour over black at a place, of a PNG of 8-bit RGB or RGBA that is not interlaced."""
-    data, at, packed = path.read_bytes(), 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, height, _, colours = struct.unpack(">IIBB", data[at + 8:at + 18])
-        if kind == b"IDAT":
-            packed += data[at + 8:at + 8 + size]
-        at += 12 + size
-    count = {2: 3, 6: 4}[colours]
-    stride, raw, rows = width * count, zlib.decompress(packed), [bytes(width * count)]
-    for y in range(height):
-        filtered, row = raw[y * (stride + 1):(y + 1) * (stride + 1)], bytearray()
-        for x in range(stride):
-            left, above = row[x - count] if x >= count else 0, rows[-1][x]
-            corner = rows[-1][x - count] if x >= count else 0
-            guess = left + above - corner
-            nearest = min((left, above, corner), key=lambda v, g=guess: abs(g - v))
-            row.append(filtered[x + 1] + (0, left, above, (left + above) // 2, nearest)[filtered[0]] & 255)
-        rows.append(bytes(row))
+    """Colour over black at a place of a PNG of 8-bit RGB or RGBA."""
+    width, height, count, pixels = read_png(str(path))
 
     def pixel(x, y):
-        first = int(x * width) * count
-        colour = rows[1 + int(y * height)][first:first + count]
+        first = (int(y * height) * width + int(x * width)) * count
+        colour = pixels[first:first + count]
         return tuple(c * (colour[3] if count == 4 else 255) // 255 for c in colour[:3])
     return pixel
 

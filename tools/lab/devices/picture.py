@@ -35,7 +35,7 @@ def unpack(name, data):
 
 
 def read_png(path):
-    """(width, height, red green blue of every pixel) of a PNG of 8 bits a channel, not interlaced."""
+    """(width, height, channels, the pixels' bytes) of a PNG of 8 bits a channel, not interlaced."""
     data = open(path, "rb").read()
     at, packed = 8, b""
     while at < len(data):
@@ -60,9 +60,8 @@ def read_png(path):
             paeth = min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))
             row[x] = (row[x] + (0, left, up, (left + up) >> 1, paeth[2])[kind]) & 255
         above = row
-        for x in range(0, stride, channels):
-            out += row[x : x + 3] if channels > 1 else bytes([row[x]] * 3)
-    return width, height, bytes(out)
+        out += row
+    return width, height, channels, bytes(out)
 
 
 def write_png(path, width, height, rgb):
@@ -78,7 +77,9 @@ def write_png(path, width, height, rgb):
 
 def read(name, path, size):
     if name == "png":
-        width, height, rgb = read_png(path)
+        width, height, channels, pixels = read_png(path)
+        colours = [pixels[k : k + 3] if channels > 1 else pixels[k : k + 1] * 3 for k in range(0, len(pixels), channels)]
+        rgb = b"".join(colours)
     else:
         (width, height), rgb = size, unpack(name, open(path, "rb").read())
     if (width, height) != size or len(rgb) != width * height * 3:

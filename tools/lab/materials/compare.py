@@ -103,7 +103,7 @@ def draw(lumi, folder):
     result = subprocess.run([lumi, "reference", scene_file, "-o", picture, *view], capture_output=True, text=True)
     if result.returncode:
         sys.exit(result.stderr)
-    return ring_means(read_png(picture)[2])
+    return ring_means(read_png(picture)[3])
 
 
 def measure(lumi, names):
