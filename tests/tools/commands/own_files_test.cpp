@@ -23,8 +23,6 @@ const char* const kObj =
     "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl m\n"
     "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
 const char* const kSky = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x81";
-const char* const kRows =
-    R"([{"view": "generic", "core": "m4", "mode": "linear", "texel": "rgb565", "span": 8, "instructions_per_pixel": 1}])";
 const std::string kTinyBake = " --origins 8 --directions 8 --spp 1";
 const std::string kTinySurfaceBake = " --layout surface --triangles 20 --longest-edge 2 --texel-density 4 --paths 4";
 const std::string kTinyPicture = " --size 16x16 --spp 1 --sky studio";
@@ -41,7 +39,6 @@ struct Workshop {
         write_content(folder / "s.mtl", "newmtl m\nmap_Kd t.png\n");
         write_content(folder / "sky.hdr", kSky);
         write_content(folder / "s.json", R"({"objects": [{"obj": "s.obj"}], "environment": {"picture": "sky.hdr"}})");
-        write_content(folder / "rows.json", kRows);
         for (const char* name : {"f.lumi", "e.S", "h.h", "v-000.png", "v-sheet.png"})
             write_content(folder / name, test::field_bytes({}));
         write_png(folder / "t.png", Picture(4, 4));
