@@ -28,6 +28,8 @@ constexpr double kMostForMesh = 0.5;  // share of the budget
 // A mesh that is torn gets more of the budget, as long as that mends much of it: a gap shows more than a coarse texel.
 constexpr double kTorn = 0.02, kMends = 0.75;  // shares of the light paths, and of those that were wrong before
 constexpr double kMoreForMesh[] = {0.7, 0.9};
+// A mesh with less of an error than this share of the light paths may have fewer triangles, in steps.
+constexpr double kUnseen = 4e-4, kFewer = 2.0 / 3, kMuchFewer = 0.9;
 constexpr float kLongestEdge = 0.6f, kLongerEdge = 1.4f;
 
 // Texels along a line of one radius, in steps that options can name.
@@ -148,6 +150,12 @@ double wrong_of(const MeshLoss& loss)
     return loss.missed - loss.missed_see_through + loss.displaced;
 }
 
+// The share of the light paths that meet either scene or mesh alone, or both in different places.
+double outline_error(const MeshLoss& loss)
+{
+    return loss.missed + loss.added + loss.displaced;
+}
+
 class Planner
 {
 public:
@@ -166,6 +174,7 @@ public:
         for (const double share : kMoreForMesh)
             if (!mend(plan, share, plan.settings.view_tables)) break;
         if (!against(plan, scene_.mesh_is_shell()).empty()) mend(plan, kMoreForMesh[1], false);
+        spare_triangles(plan);
         if (limits_.chooses_density)
             plan.settings.texels_per_radius =
                 density_of(finest_that_fits(plan.mesh->mesh, plan.settings, limits_.bytes));
@@ -216,6 +225,21 @@ private:
         const bool mends = wrong_of(finer.loss) < kMends * wrong_of(plan.loss);
         if (mends) plan = finer;
         return mends;
+    }
+
+    // Takes fewer triangles as long as nobody sees that: larger patches need fewer texels, too.
+    void spare_triangles(SurfacePlan& plan)
+    {
+        const bool may = limits_.chooses_triangles && limits_.chooses_density && !limits_.ram;
+        if (!may || plan.settings.fills || scene_.mesh_is_shell()) return;
+        while (outline_error(plan.loss) < kUnseen && plan.triangles > kFewestTriangles) {
+            SurfacePlan fewer = plan;
+            fewer.settings.triangles =
+                static_cast<uint32_t>(kFewer * std::min(plan.settings.triangles, plan.triangles));
+            make_until_kept(fewer);
+            if (outline_error(fewer.loss) > kUnseen || fewer.triangles > kMuchFewer * plan.triangles) return;
+            plan = fewer;
+        }
     }
 
     void take_mesh(SurfacePlan& plan)

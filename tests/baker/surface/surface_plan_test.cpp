@@ -77,6 +77,30 @@ TEST_CASE("a surface plan fills its size, and a larger one has more of everythin
     }
 }
 
+TEST_CASE("triangles that show nothing are left out of a surface plan, unless it is to fill its size")
+{
+    constexpr int kSide = 12;
+    constexpr float kStep = 1.0f / kSide;
+    SceneMaker maker;
+    const uint32_t matt = maker.add(diffuse(grey(0.5f)));
+    for (int k = 0; k < 6 * kSide * kSide; ++k) {  // the faces of a cube, in small squares
+        const float out = k % 2 == 0 ? 0.5f : -0.5f, x = kStep * static_cast<float>(k / 6 % kSide) - 0.5f,
+                    y = kStep * static_cast<float>(k / 6 / kSide) - 0.5f;
+        const auto at = [&](float a, float b) {
+            return k % 6 / 2 == 0 ? Vec3{a, b, out} : k % 6 / 2 == 1 ? Vec3{b, out, a} : Vec3{out, a, b};
+        };
+        maker.quad(matt, at(x, y), at(x + kStep, y), at(x + kStep, y + kStep), at(x, y + kStep));
+    }
+    maker.span_unit_sphere();
+    const Scene cube = maker.make(constant_environment(1));
+    SurfaceSettings settings;
+    const uint32_t spared = plan_surface(cube, settings, within(500'000)).triangles;
+    settings.fills = true;
+    const uint32_t filled = plan_surface(cube, settings, within(500'000)).triangles;
+    CHECK(filled >= 12 * kSide * kSide);
+    CHECK(spared < filled * 4 / 5);
+}
+
 TEST_CASE("edges get longer where the mesh would take half of the bytes")
 {
     for (const uint64_t bytes : {30'000u, 90'000u}) {

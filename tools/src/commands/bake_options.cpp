@@ -181,7 +181,7 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
         "see-through patches leaves it out");
     command.add_flag("--draft", s.draft,
                      "surface: a first look in some ten seconds, coarse and noisy; the file says that it is one");
-    command.add_flag("--fill", s.fills, "surface: use all texels that fit, though fewer show as much");
+    command.add_flag("--fill", s.fills, "surface: use all triangles and texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")
         ->check(whole_number(1, kMostPaths))
