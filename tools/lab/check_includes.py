@@ -128,7 +128,7 @@ THIRD_PARTIES = {
     "turbojpeg.h": "baker/src/image/jpeg_file.cpp",
     "webp/": "baker/src/image/webp_file.cpp tools/src/image/animation.cpp",
     "Imf": "baker/src/image/exr_file.cpp",
-    "meshoptimizer.h": "baker/src/mesh/simplify/simplify.cpp baker/src/model/gltf/meshopt.cpp",
+    "meshoptimizer.h": "baker/src/model/gltf/meshopt.cpp",
     "nifti": "baker/src/volume/nifti_header.cpp",
     "openvdb/": "baker/src/volume/openvdb_module/module.cpp",
     "zlib.h": "baker/src/util/gzip.cpp platform/host/src/png_writer.cpp",

@@ -23,20 +23,20 @@ size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& jo
     return seen_part(MeshTracer(mesh, faces), job, cap, kCountRays).triangle_count();
 }
 
-Simplified simplified_in(Job& job, const Mesh& mesh, size_t triangles)
+Mesh simplified_in(Job& job, const Mesh& mesh, size_t triangles)
 {
-    Simplified result;
+    Mesh result;
     job.run(1, [&](uint32_t) { result = simplified(mesh, triangles); });
     return result;
 }
 
 // With so many triangles that can be seen, where the scene has them.
-Simplified simplified_as_seen(const Outside& outside, size_t triangles, const ViewCap& cap, Job& job)
+Mesh simplified_as_seen(const Outside& outside, size_t triangles, const ViewCap& cap, Job& job)
 {
-    Simplified result = simplified_in(job, outside.mesh, triangles);
+    Mesh result = simplified_in(job, outside.mesh, triangles);
     double asked = static_cast<double>(triangles);
-    for (int k = 1; k < kAttempts && result.mesh.triangle_count() < outside.mesh.triangle_count(); ++k) {
-        const size_t seen = seen_triangles(result.mesh, outside.faces(), cap, job);
+    for (int k = 1; k < kAttempts && result.triangle_count() < outside.mesh.triangle_count(); ++k) {
+        const size_t seen = seen_triangles(result, outside.faces(), cap, job);
         if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) break;
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
         result = simplified_in(job, outside.mesh, std::min(kMostAsked, static_cast<size_t>(asked)));
@@ -48,11 +48,11 @@ Simplified simplified_as_seen(const Outside& outside, size_t triangles, const Vi
 
 MeshDraft drafted(const Outside& outside, const MeshSettings& settings, Job& job)
 {
-    Simplified simple = simplified_as_seen(outside, settings.triangles, settings.cap, job);
-    const bool exact = simple.mesh.triangle_count() == outside.mesh.triangle_count();
+    Mesh simple = simplified_as_seen(outside, settings.triangles, settings.cap, job);
+    const bool exact = simple.triangle_count() == outside.mesh.triangle_count();
     const MeshTracer fronts(outside.mesh, Faces::front);
-    MeshDraft draft = {with_short_edges(std::move(simple.mesh), kSplitEarly * settings.longest_edge, onto(fronts)),
-                       simple.rough, exact, false};
+    MeshDraft draft = {with_short_edges(std::move(simple), kSplitEarly * settings.longest_edge, onto(fronts)), exact,
+                       false};
     draft.fits = draft.mesh.triangle_count() <= kMaxTriangles &&
                  seen_triangles(draft.mesh, outside.faces(), settings.cap, job) <= 2 * detail::format::kMaxPatches;
     return draft;

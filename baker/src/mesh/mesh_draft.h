@@ -10,7 +10,6 @@ namespace lumi::baker
 
 struct MeshDraft {
     Mesh mesh;
-    bool rough = false;  // the shape's topology was given up
     bool exact = false;  // every triangle of the scene's outside is there, whole or split: nothing has to be fitted
     bool fits = false;   // what can be seen of it may fit the format (lumi/surface/format.h)
 };
@@ -18,7 +17,7 @@ struct MeshDraft {
 template <class Io>
 void fields(Io& io, MeshDraft& draft)
 {
-    io(draft.rough, draft.exact, draft.fits, draft.mesh);
+    io(draft.exact, draft.fits, draft.mesh);
 }
 
 // About as many triangles as `settings` ask for can be seen, before edges are split; hidden ones come on top.

@@ -225,10 +225,6 @@ std::vector<MeshWarning> mesh_warnings(const MeshLoss& loss, const MeshCount& tr
             {percent(loss.thin) + " of what can be seen is thinner than a pixel at 240 x 240, so samples may miss it",
              "thicken it, or draw it larger", false});
     }
-    if (loss.rough) {
-        warn("the scene could only be simplified roughly, since its surfaces are torn or run through each other",
-             "weld its vertices or give neighbouring faces one winding");
-    }
     if (static_cast<double>(triangles.got) < kFarShort * static_cast<double>(triangles.asked)) {
         warn("the mesh has " + std::to_string(triangles.got) + " triangles where " + std::to_string(triangles.asked) +
              " were asked for, since the shape cannot be simplified to that number");

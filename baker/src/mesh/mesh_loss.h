@@ -36,8 +36,7 @@ MissingPixels missing_pixels(const SceneData& scene, const MeshTracer& mesh, Job
 template <class Io>
 void fields(Io& io, MeshLoss& loss)
 {
-    io(loss.missed, loss.missed_see_through, loss.added, loss.displaced, loss.thin, loss.rough, loss.holes,
-       loss.largest_hole);
+    io(loss.missed, loss.missed_see_through, loss.added, loss.displaced, loss.thin, loss.holes, loss.largest_hole);
 }
 
 // `see_through`: what else is there, wherever a ray meets it.

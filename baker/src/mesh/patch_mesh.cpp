@@ -63,11 +63,10 @@ MeshSettings smaller(MeshSettings s)
     return s;
 }
 
-MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap& cap, bool rough, Job& job)
+MeshLoss loss_of(const SceneData& scene, const MeshTracer& shape, const ViewCap& cap, Job& job)
 {
     MeshLoss loss = loss_of(scene, shape, job, cap);
     const MissingPixels pixels = missing_pixels(scene, shape, job, cap);
-    loss.rough = rough;
     loss.holes = pixels.regions;
     loss.largest_hole = pixels.largest;
     return loss;
@@ -120,8 +119,8 @@ BuiltMesh opaque_mesh(const SceneData& scene, const MeshSettings& settings, Bake
         if (fits(result.mesh)) {
             const JobStage stage(job, Stage::mesh, job.part_of_rest(1), kCheckRuns);
             result.loss = stages.once<MeshLoss>(
-                "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, draft.rough, job); },
-                s.triangles, s.longest_edge, s.cap.lowest());
+                "loss", [&] { return loss_of(scene, MeshTracer(shape, Faces::front), s.cap, job); }, s.triangles,
+                s.longest_edge, s.cap.lowest());
             const size_t asked = std::min<size_t>(s.triangles, outside.mesh.triangle_count());
             result.warnings =
                 mesh_warnings(result.loss, {asked, shape.triangle_count(), draft.exact}, scene.mesh_is_shell);

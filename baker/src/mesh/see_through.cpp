@@ -187,7 +187,7 @@ Mesh few_of(const SceneData& scene, const Mesh& mesh, const SeeThroughCount& mos
 {
     if (mesh.triangle_count() <= most.triangles) return mesh;
     const Sheets sheets(mesh);
-    if (!is_cloud(mesh, sheets, most.cards)) return simplified(mesh, most.triangles).mesh;
+    if (!is_cloud(mesh, sheets, most.cards)) return simplified(mesh, most.triangles);
     if (mesh.triangle_count() <= most.cards) return mesh;
     Mesh few = most_seen(mesh, sheets, cards_of(sheets, meetings(scene, mesh, cap, job)), most.cards);
     warnings.push_back({"of " + std::to_string(mesh.triangle_count()) + " see-through triangles, such as leaves, the " +

@@ -115,7 +115,6 @@ TEST_CASE("Surface meshes follow the outlines of cut-out leaves", "[mesh][surfac
     CHECK(surface.loss.added < 0.02);
     CHECK(surface.loss.missed < 0.02);
     CHECK(surface.loss.holes == 0);
-    CHECK_FALSE(surface.loss.rough);
     CHECK(triangles_of(surface.mesh).triangle_count() / 2 < 2000);  // of each of the two sides
 }
 

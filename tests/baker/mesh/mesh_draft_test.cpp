@@ -86,7 +86,7 @@ TEST_CASE("Every triangle that is left of surfaces that meet has three vertices"
 {
     const Mesh cubes = cubes_by_chance();
     for (const size_t triangles : {300u, 400u, 500u, 600u}) {
-        const Mesh few = simplified(cubes, triangles).mesh;
+        const Mesh few = simplified(cubes, triangles);
         CHECK(few.triangle_count() > 0);
         for (const Mesh::Corners& c : few.corners) CHECK(!is_degenerate(c));
     }
@@ -95,10 +95,9 @@ TEST_CASE("Every triangle that is left of surfaces that meet has three vertices"
 TEST_CASE("Walls that cross are simplified, each for itself, and stay whole", "[mesh]")
 {
     const Mesh walls = waffle(3, 40);
-    const Simplified simple = simplified(walls, 240);
-    CHECK(!simple.rough);
-    CHECK(simple.mesh.triangle_count() <= 300);
-    CHECK(whole_area(simple.mesh) > 0.95 * whole_area(walls));
+    const Mesh simple = simplified(walls, 240);
+    CHECK(simple.triangle_count() <= 300);
+    CHECK(whole_area(simple) > 0.95 * whole_area(walls));
 }
 
 TEST_CASE("Seams between sheets that lie side by side do not gape", "[mesh]")
@@ -123,7 +122,7 @@ TEST_CASE("Seams between sheets that lie side by side do not gape", "[mesh]")
     };
     add_sheet(0.1f, 0.5f);
     add_sheet(0.5f + kGap, 0.9f);
-    const Mesh simple = simplified(two, 200).mesh;
+    const Mesh simple = simplified(two, 200);
     CHECK(simple.triangle_count() > 100);
     const MeshTracer tracer(simple, Faces::both);
     uint32_t open = 0;
@@ -190,10 +189,9 @@ TEST_CASE("Wires far thinner than the error elsewhere stay whole", "[mesh]")
             sum += mesh.position(k, 0).x > 0.45f ? static_cast<double>(mesh.area(k)) : 0;
         return sum;
     };
-    const Simplified simple = simplified(scene, 400);
-    CHECK(!simple.rough);
-    CHECK(simple.mesh.triangle_count() <= 500);
-    CHECK(area_of_wires(simple.mesh) > 0.8 * area_of_wires(scene));
+    const Mesh simple = simplified(scene, 400);
+    CHECK(simple.triangle_count() <= 500);
+    CHECK(area_of_wires(simple) > 0.8 * area_of_wires(scene));
 }
 
 TEST_CASE("Bars whose edges are split do not grow onto the bar beside them", "[mesh]")

@@ -144,7 +144,7 @@ TEST_CASE("Fitting brings the outline of a ball of few triangles onto the ball's
     maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0}, kRadius, 48);
     maker.span_unit_sphere();
     const Scene scene = maker.make(constant_environment(1));
-    const Mesh rough = simplified(outside_mesh(scene), 200).mesh;
+    const Mesh rough = simplified(outside_mesh(scene), 200);
     Job job(1, 2, kUnheard);
     const Mesh fine = fitted_in_rounds(scene.data(), rough, Faces::front, job);
     const OutlineError before = outline_error(scene, rough, 2 * kPi * kRadius);

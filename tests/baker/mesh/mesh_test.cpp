@@ -87,7 +87,7 @@ TEST_CASE("Simplified balls stay balls, and fitting brings them closer", "[mesh]
     const Outside outside = outside_of(scene.data(), job);
     CHECK_FALSE(outside.two_sided);
     CHECK(outside.mesh.triangle_count() == scene.triangle_count());
-    const Mesh rough = simplified(outside.mesh, 200).mesh;
+    const Mesh rough = simplified(outside.mesh, 200);
     CHECK(rough.triangle_count() <= 200);
     CHECK(rough.triangle_count() > 150);
     const Survey survey(scene.data(), 64, 300, 5);

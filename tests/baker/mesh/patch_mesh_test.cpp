@@ -33,7 +33,6 @@ TEST_CASE("A surface mesh follows its scene and keeps what the format asks", "[s
     CHECK(std::count(used.begin(), used.end(), false) == 0);
     for (const Vec3& n : mesh.normals) CHECK(length(n) == Approx(1));
     CHECK(surface.loss.holes == 0);
-    CHECK_FALSE(surface.loss.rough);
 }
 
 TEST_CASE("Meshes that would be too large for the format are made smaller", "[surface][statistics]")
@@ -72,7 +71,7 @@ TEST_CASE("Leaves that are cut out of larger faces have a mesh", "[surface]")
     CHECK(surface.loss.holes == 0);
 }
 
-TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
+TEST_CASE("Leaky meshes come with a warning each", "[surface]")
 {
     CHECK(mesh_warnings({}, {1000, 1000}, false).empty());
     MeshLoss loss;
@@ -86,10 +85,9 @@ TEST_CASE("Rough and leaky meshes come with a warning each", "[surface]")
     CHECK_THAT(of_volume.at(0).problem, Catch::Contains("misses 1.2 %"));
     CHECK_THAT(of_volume.at(0).remedy, Catch::Contains("chord"));
     CHECK_FALSE(of_volume.at(0).more_triangles_help);
-    loss.rough = true;
     loss.holes = 3;
-    CHECK(mesh_warnings(loss, {1000, 1000}, false).size() == 3);
-    CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(2).problem, Catch::Contains("300 triangles where 1000"));
+    CHECK(mesh_warnings(loss, {1000, 1000}, false).size() == 2);
+    CHECK_THAT(mesh_warnings(loss, {1000, 300}, false).at(1).problem, Catch::Contains("300 triangles where 1000"));
 }
 
 TEST_CASE("Wires thinner than half a pixel are named, and thicker ones are not", "[surface]")
@@ -112,20 +110,6 @@ TEST_CASE("Wires thinner than half a pixel are named, and thicker ones are not",
     };
     CHECK(thin_share(0.003f) > 0.05);
     CHECK(thin_share(0.012f) < 0.001);
-}
-
-TEST_CASE("The rough simplifier does not step in silently", "[surface]")
-{
-    SceneMaker maker;  // bricks: most edges have more than two triangles
-    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
-    for (int k = 0; k < 216; ++k) {
-        const Vec3 p =
-            Vec3{static_cast<float>(k % 6), static_cast<float>(k / 6 % 6), static_cast<float>(k / 36)} * 0.15f;
-        maker.box(matter, p, p + Vec3{0.15f, 0.15f, 0.15f});
-    }
-    const BuiltMesh surface = built_mesh(maker.make(constant_environment(1)), {60, 2, 0.7f});
-    CHECK(surface.loss.rough);
-    CHECK_FALSE(surface.warnings.empty());
 }
 
 }  // namespace lumi::baker::testing

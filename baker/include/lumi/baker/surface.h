@@ -48,7 +48,6 @@ struct MeshLoss {
     double thin = 0;
 
     // These are known for the mesh of a surface field only:
-    bool rough = false;         // simplified without regard to the shape's topology, because nothing else got there
     uint32_t holes = 0;         // regions of more than 2 pixels that its silhouettes lack, 24 of 240 × 240 pixels
     uint32_t largest_hole = 0;  // pixels
 };

@@ -18,28 +18,21 @@ namespace lumi::baker
 // by this keeps its vertices. Positions stay, used or not.
 Mesh with_closed_seams(const Mesh& mesh, float reach);
 
-// Leaves out flaps: small surfaces at edges of more than two triangles, as meshes that were scanned or made coarser
-// have them by the thousand.
+using Triangles = std::vector<Mesh::Corners>;
 
-// The triangles without those surfaces that are smaller than `small`, in square radii, that hang at the rest by an edge
-// and leave no hole in it. No body loses more than a fiftieth of its area. A body is what shares no vertex with the
-// rest. `surfaces`: by triangle, the number of the one that it is of.
-std::vector<Mesh::Corners> without_flaps(const Mesh& mesh, const std::vector<uint32_t>& surfaces, double small);
+// Collapses edges one after the other, those first whose loss shows least: by squares of distances to the planes of the
+// triangles that a vertex stands for, weighed by their area and by how many eyes see an outline there. Topology does
+// not count: surfaces may grow together, and what is too small to show may vanish. About so many triangles remain, more
+// where each collapse would turn some triangle over.
+Triangles with_edges_collapsed(const std::vector<Vec3>& positions, const Triangles& triangles, size_t wanted);
 
 // Keeps what simplification would lose because it is thinner than the error elsewhere: rods, wires, spokes.
 
-using Triangles = std::vector<Mesh::Corners>;
-
-// Triangles that stand for others, about so many.
-struct Fewer {
-    Triangles triangles;
-    bool rough = false;  // the shape's topology was given up
-};
-using MakeFewer = std::function<Fewer(const std::vector<Vec3>& positions, const Triangles&, size_t)>;
+using MakeFewer = std::function<Triangles(const std::vector<Vec3>& positions, const Triangles&, size_t)>;
 
 // Returns what `make_fewer` makes of all triangles. A part is what shares no vertex with the rest. Parts that lose much
 // of their area there are made fewer each by itself, as long as that keeps the area, and a quarter of the triangles
 // goes to them; those first that take the fewest for what they show.
-Fewer fewer_with_thin_parts(const Mesh& mesh, size_t triangles, const MakeFewer& make_fewer);
+Triangles fewer_with_thin_parts(const Mesh& mesh, size_t triangles, const MakeFewer& make_fewer);
 
 }  // namespace lumi::baker

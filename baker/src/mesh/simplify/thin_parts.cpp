@@ -138,9 +138,9 @@ private:
                 v = static_cast<uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
         const Triangles whole = best;
         for (size_t wanted = whole.size() / 2; wanted > 0; wanted /= 2) {
-            const Fewer fewer = make_fewer_(positions, whole, wanted);
-            if (fewer.rough || area_of(positions, fewer.triangles) < kEnough * part.area) break;
-            if (fewer.triangles.size() < best.size()) best = fewer.triangles;
+            Triangles fewer = make_fewer_(positions, whole, wanted);
+            if (area_of(positions, fewer) < kEnough * part.area) break;
+            if (fewer.size() < best.size()) best = std::move(fewer);
         }
         for (Mesh::Corners& c : best)
             for (uint32_t& v : c) v = vertices[v];
@@ -156,14 +156,14 @@ private:
 
 }  // namespace
 
-Fewer fewer_with_thin_parts(const Mesh& mesh, size_t triangles, const MakeFewer& make_fewer)
+Triangles fewer_with_thin_parts(const Mesh& mesh, size_t triangles, const MakeFewer& make_fewer)
 {
-    Fewer best = make_fewer(mesh.positions, mesh.corners, triangles);
+    Triangles best = make_fewer(mesh.positions, mesh.corners, triangles);
     ThinParts parts(mesh, make_fewer);
-    for (int k = 0; k < kRounds && !best.rough && parts.keep_torn(best.triangles, triangles / kMostShare); ++k) {
-        Fewer fewer = make_fewer(mesh.positions, parts.rest(), triangles - parts.kept());
-        parts.add_kept(fewer.triangles);
-        if (fewer.rough || parts.left(fewer.triangles) <= parts.left(best.triangles)) break;
+    for (int k = 0; k < kRounds && parts.keep_torn(best, triangles / kMostShare); ++k) {
+        Triangles fewer = make_fewer(mesh.positions, parts.rest(), triangles - parts.kept());
+        parts.add_kept(fewer);
+        if (parts.left(fewer) <= parts.left(best)) break;
         best = std::move(fewer);
     }
     return best;
