@@ -247,6 +247,15 @@ void read_mtl_text(const std::string& text, MtlMaterial& material)
     }
     for (const NumberField& f : kNumbers)
         if (material.has(f.keyword)) material.numbers[f.keyword] = grey(single(read.*f.number));
+    // Of a word that the package does not know it keeps the text: one number, or a colour.
+    for (const auto& [keyword, numbers] : read.unknown_parameter) {
+        double c[3] = {};
+        size_t count = 0;
+        for (const std::string_view word : words(numbers))
+            if (count < 3) parse_finite(word, c[count++]);
+        if (material.has(keyword.c_str()))
+            material.numbers[keyword] = count == 3 ? Rgb{single(c[0]), single(c[1]), single(c[2])} : grey(single(c[0]));
+    }
     for (const MapField& f : kMapFields)
         if (material.map(f.keyword)) take(read.*f.name, read.*f.options, material.maps[f.keyword]);
 }

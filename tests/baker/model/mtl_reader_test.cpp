@@ -5,6 +5,7 @@
 
 #include "lumi/baker/scene.h"
 #include "material/lobes.h"
+#include "model/tiny_obj.h"
 #include "support/obj_files.h"
 
 namespace lumi::baker
@@ -185,6 +186,16 @@ TEST_CASE("mtl: options of pictures may have fewer numbers than MTL says, or sen
     CHECK(slot_of("-o 1e9 0.25 -clamp on -mm 1 -texres 512").offset.y == 0.25f);
     CHECK(slot_of("-s 25e-2 1 1 -cc a -type sphere").scale.x == 0.25f);
     CHECK(slot_of("-s 2 2 2 -o 1 1 1 t.png\nmap_Kd").scale.x == 1);
+}
+
+TEST_CASE("mtl: words that tinyobjloader does not know have their numbers")
+{
+    MtlMaterial m;
+    m.numbers = {{"Kd", {}}, {"Pzz", {}}, {"Pz", {}}};
+    read_mtl_text("newmtl x\nKd 0.1 0.2 0.3\nPzz 0.5 0.25 1\nPz 0.75\n", m);
+    CHECK(m.colour("Pzz").g == 0.25f);
+    CHECK(m.number("Pz", 0) == 0.75f);
+    CHECK(m.colour("Kd").b == 0.3f);
 }
 
 TEST_CASE("mtl: a line of very many options is read once")
