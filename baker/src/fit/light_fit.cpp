@@ -152,7 +152,8 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     });
     FitSums sums(shape_, state.tone, state.expected, White::goes_on);
     sums.weigh(std::vector<uint32_t>(shape_.mesh.patches.size(), paths_.pilot_lines()));
-    bool is_first = true;  // not of all rounds: others may have been kept
+    bool is_first = true;             // not of all rounds: others may have been kept
+    std::optional<FitSolver> solver;  // rounds change the targets alone, so its matrices stay
     const uint64_t begin = job.part_of_rest(0);
     const auto require_shape = [&](const PilotRound& round) {
         stages.require_shape(is_of(round.model, shape_) && round.lines.size() == shape_.mesh.patches.size());
@@ -178,9 +179,9 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
         const JobStage stage(job, Stage::solving, end_of(1), kRoundRuns);
         if (k != 0) smoothness.learn(sums, state.expected);
         round = {state.expected, paths_.lines(sums)};
-        FitSolver solver(sums, smoothness, round.model.viewed, job);
-        solver.solve(round.model, kPilotIterations);
-        if (k + 1 == kPilotRounds) leave_out_flat_tables(sums, solver, round.model);
+        if (!solver) solver.emplace(sums, smoothness, round.model.viewed, job);
+        solver->solve(round.model, kPilotIterations);
+        if (k + 1 == kPilotRounds) leave_out_flat_tables(sums, *solver, round.model);
         finish_texels(sums, state.tone, round.model);
         return true;
     };
