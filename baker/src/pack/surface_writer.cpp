@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <tuple>
 
 #include "lumi/fixed.h"
 #include "lumi/surface/format.h"
 #include "mesh/patch_mesh.h"
+#include "pack/patch_neighbours.h"
 #include "store/section_writer.h"
 
 namespace lumi::baker
@@ -18,98 +17,11 @@ namespace lumi::baker
 namespace
 {
 
-using Place = std::tuple<float, float, float>;
-using Edge = std::pair<Place, Place>;  // from one to the other, as its triangle winds
-
-Place place(const PatchMesh& mesh, uint32_t vertex)
-{
-    const Vec3& p = mesh.positions[vertex];
-    return {p.x, p.y, p.z};
-}
-
-constexpr uint16_t kNothingAcross = static_cast<uint16_t>(detail::format::kNoNeighbour);
-
-// A side of a patch that has a neighbour of its own: its vertices as its triangle winds, the triangle's third vertex,
-// and the triangle's number.
-struct PatchSide {
-    uint32_t from, to, opposite, triangle;
-};
-
-std::vector<PatchSide> patch_sides(const PatchMesh::Patch& p, uint32_t number)
-{
-    const uint32_t first = 2 * number, second = first + 1;
-    if (p.d == PatchMesh::kNone) return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.b, p.c, p.a, first}};
-    return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.d, p.c, p.b, second}, {p.b, p.d, p.c, second}};
-}
-
-using SidesByEdge = std::map<Edge, std::vector<PatchSide>>;
-
-// The triangle across a side; kNothingAcross where the mesh ends, or where more than two triangles meet. A triangle
-// that is the back of the side's own one shares its third vertex: it lies on the same edge, but not across it.
-uint16_t across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide& side)
-{
-    const auto found = sides.find({place(mesh, side.to), place(mesh, side.from)});
-    if (found == sides.end()) return kNothingAcross;
-    uint16_t result = kNothingAcross;
-    for (const PatchSide& other : found->second) {
-        if (place(mesh, other.opposite) == place(mesh, side.opposite)) continue;
-        if (result != kNothingAcross) return kNothingAcross;
-        result = static_cast<uint16_t>(other.triangle);
-    }
-    return result;
-}
-
-// Adds those of patches from `first` up to `end`. Vertices at one place are one here, whatever their normals.
-void add_neighbours(const PatchMesh& mesh, uint32_t first, uint32_t end, std::vector<std::array<uint16_t, 4>>& result)
-{
-    SidesByEdge sides;
-    for (uint32_t k = first; k < end; ++k)
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k))
-            sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
-    for (uint32_t k = first; k < end; ++k) {
-        std::array<uint16_t, 4> neighbours;
-        neighbours.fill(kNothingAcross);
-        size_t at = 0;
-        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) neighbours[at++] = across(mesh, sides, side);
-        result.push_back(neighbours);
-    }
-}
-
-// The first opaque patch of the body and of each part, and the end of the last.
-std::vector<uint32_t> owner_ends(const PatchMesh& mesh)
-{
-    std::vector<uint32_t> ends = {0};
-    for (const MovingPart& part : mesh.parts)
-        if (part.follows == 0) ends.push_back(part.first_patch);
-    ends.push_back(mesh.opaque_patches());
-    return ends;
-}
-
-// Of a see-through patch.
-bool is_shadow(const PatchMesh& mesh, uint32_t patch)
-{
-    return patch < mesh.opaque_patches() + mesh.ground_patches || mesh.owner_of(patch) != 0;
-}
-
 bool has_shadows_alone(const PatchMesh& mesh)
 {
     for (uint32_t p = mesh.opaque_patches(); p < mesh.patches.size(); ++p)
         if (!is_shadow(mesh, p)) return false;
     return true;
-}
-
-// In the order that the section has them. Neighbours have one owner: the body, a part, or the see-through patches. A
-// shadow fades to nothing: its border counts as its own neighbour, so that no outline is drawn there.
-std::vector<std::array<uint16_t, 4>> neighbours_of(const PatchMesh& mesh)
-{
-    std::vector<uint32_t> ends = owner_ends(mesh);
-    ends.push_back(static_cast<uint32_t>(mesh.patches.size()));
-    std::vector<std::array<uint16_t, 4>> result;
-    for (size_t k = 1; k < ends.size(); ++k) add_neighbours(mesh, ends[k - 1], ends[k], result);
-    for (uint32_t p = mesh.opaque_patches(); p < result.size(); ++p)
-        for (uint32_t side = 0; is_shadow(mesh, p) && side < 4; ++side)
-            if (result[p][side] == kNothingAcross) result[p][side] = static_cast<uint16_t>(2 * p + side / 2);
-    return result;
 }
 
 struct Contents {
@@ -215,11 +127,11 @@ std::vector<uint8_t> patch_section(const FitShape& shape, const VertexOrder& ord
     return b.take();
 }
 
-std::vector<uint8_t> neighbour_section(const FitShape& shape)
+std::vector<uint8_t> neighbour_section(const FitShape& shape, const FieldParts& parts)
 {
     Bytes b(shape.mesh.patches.size() * detail::format::kNeighbourBytes);
     size_t at = 0;
-    for (const std::array<uint16_t, 4>& across : neighbours_of(shape.mesh)) {
+    for (const std::array<uint16_t, 4>& across : patch_neighbours(shape, parts)) {
         for (const uint16_t triangle : across) {
             b.put16(at, triangle);
             at += 2;
@@ -358,7 +270,7 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
                                       {detail::format::kPatchSection, patch_section(shape, order)},
                                       {detail::format::kColourSection, parts.texels},
                                       {detail::format::kPaletteRgb, palette_section(parts)},
-                                      {detail::format::kNeighbourSection, neighbour_section(shape)}};
+                                      {detail::format::kNeighbourSection, neighbour_section(shape, parts)}};
     if (order.viewed != 0) contents.push_back({detail::format::kViewSection, view_section(shape, parts, order)});
     if (shape.mesh.see_through_patches != 0)
         contents.push_back(

@@ -67,11 +67,13 @@ void put_triangles(SurfaceFrame& frame)
     frame.reach = lister.reach();
 }
 
-// Whether a patch's nth side may be an outline: nothing that faces the eye and has samples lies across.
+// Whether a patch's nth side may be an outline, since nothing that faces the eye and has samples lies across, or is a
+// crease.
 LUMI_ALWAYS_INLINE uint32_t is_outline(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t n)
 {
-    const uint32_t across = static_cast<uint32_t>(neighbours[2 * n] | neighbours[2 * n + 1] << 8);
-    return across == format::kNoNeighbour || frame.memory.links[across] >= kWithoutSamples ? 1 : 0;
+    const uint32_t word = static_cast<uint32_t>(neighbours[2 * n] | neighbours[2 * n + 1] << 8);
+    const uint32_t across = word & format::kNoNeighbour;
+    return across == format::kNoNeighbour || frame.memory.links[across] >= kWithoutSamples ? 1 : word / format::kCrease;
 }
 
 // Bits of the sides of a patch's first triangle that are outlines, numbered as in side_of(); `other`: the second's

@@ -86,15 +86,17 @@ LUMI_ALWAYS_INLINE void mark_pixel(uint8_t* at, uint32_t& bits, uint32_t bit, ui
 // the other as lies beyond the edge. Let the edge cross the line at a distance d from the border between the two, and
 // move by 2h from one line to the next. The pixel that it crosses loses d, a trapezium. Where h > d the edge crosses
 // the border, too, and the triangle there has the area (h - d)²/4h: both pixels lose so much.
+// A crease has a surface on both sides, near the edge's own depth.
 template <bool kIsSeeThrough>
-LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, const SampleLines& lines,
+LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, bool is_crease, const SampleLines& lines,
                                       const Target& target)
 {
     const bool is_row = lines.stride == sizeof(uint16_t);
     const PixelSide to_upper = is_row ? PixelSide::right : PixelSide::below;
     const PixelSide to_lower = is_row ? PixelSide::left : PixelSide::above;
     const int32_t to_inner = inside_is_upper ? lines.stride : 0, to_outer = lines.stride - to_inner;
-    constexpr uint32_t kFarLevel = kFarDepth >> kMarkBits;
+    // A surface at a crease is as near as that to its depth unless it is seen at a grazing angle: 1/32 of the radius.
+    constexpr uint32_t kFarLevel = kFarDepth >> kMarkBits, kNear = 16;
     const uint32_t pairs = static_cast<uint32_t>(lines.count) - 1, words = target.marks_words();
     const int32_t row_bytes = static_cast<int32_t>(target.row_bytes);
     uint32_t* const beyond = target.marks + (is_row ? 1 : 2) * marks_plane(target);
@@ -114,7 +116,11 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
             // A surface in front of the edge hides it, and covers the outer sample too. The inner one may be much
             // nearer than the edge: outlines lie where a surface is steepest. See-through triangles write no depth, so
             // where they alone show, no opaque edge has its inside.
-            if (outer <= edge && (kIsSeeThrough ? inner <= edge : outer < inner && inner >= kFarLevel)) {
+            const auto is_near = [&](uint32_t d) { return d >= kFarLevel && d - edge + kNear <= 2 * kNear; };
+            const bool shows = kIsSeeThrough ? outer <= edge && inner <= edge
+                               : is_crease   ? is_near(outer) && is_near(inner)
+                                             : outer <= edge && outer < inner && inner >= kFarLevel;
+            if (shows) {
                 const bool cuts_lower = past_q8 < 128;
                 const int32_t cut_q8 = static_cast<int32_t>(cuts_lower ? 128 - past_q8 : past_q8 - 128);
                 const int32_t left_q8 = c.half_q8 - cut_q8;
@@ -129,14 +135,15 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
                 const auto mark = [&](bool is_upper, uint32_t share) {
                     if (share == 0) return;
                     const bool is_inner = is_upper == inside_is_upper;
-                    const bool is_front = kIsSeeThrough ? is_inner ? inner > outer : outer > inner : is_inner;
+                    const bool is_front =
+                        kIsSeeThrough || is_crease ? is_inner ? inner > outer : outer > inner : is_inner;
                     const MarkPlace p = place(lower + (is_upper ? 1 : 0));
                     mark_pixel(at + (is_upper ? lines.stride : 0), target.marks[p.word], p.bit,
                                mark_bits(share, is_upper ? to_lower : to_upper), is_front, row_bytes);
                 };
                 mark(false, cuts_lower ? near_q5 : far_q5);
                 mark(true, cuts_lower ? far_q5 : near_q5);
-                if (!kIsSeeThrough && near_q5 != 0 && cuts_lower == inside_is_upper) {
+                if (!kIsSeeThrough && !is_crease && near_q5 != 0 && cuts_lower == inside_is_upper) {
                     const MarkPlace p = place(lower);
                     beyond[p.word] |= p.bit;
                 }
@@ -149,7 +156,8 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, c
 }
 
 template <bool kIsSeeThrough>
-LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target)
+LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const SurfaceVertex& to, bool is_crease,
+                                        const Target& target)
 {
     constexpr int32_t kBetween = sizeof(uint16_t);
     const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, row_bytes = static_cast<int32_t>(target.row_bytes);
@@ -175,7 +183,7 @@ LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const Surface
     e.high_depth = static_cast<int32_t>(depth_of(high));
     set_steps(c, e);
     // Counter-clockwise on the screen, with y down: what goes down has its inside to the right, what goes right above.
-    mark_crossing<kIsSeeThrough>(c, is_forward == is_steep, lines, target);
+    mark_crossing<kIsSeeThrough>(c, is_forward == is_steep, is_crease, lines, target);
 }
 
 bool is_between_lines(const Seen& s)
@@ -198,7 +206,7 @@ __attribute__((noinline)) void mark_thin(const SurfaceFrame& frame, uint32_t fro
             const uint16_t link = beyond == format::kNoNeighbour ? kTurnedAway : frame.memory.links[beyond];
             const Side side = side_of(patch, triangle, n);
             if (link == kTurnedAway)
-                mark_edge(v[side.from], v[side.to], target);
+                mark_edge(v[side.from], v[side.to], false, target);
             else if (link == kWithoutSamples && beyond != from)
                 next = beyond;
         }
@@ -239,12 +247,14 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
     for (uint32_t m = 0; sides != 0; ++m, sides >>= 1) {
         if ((sides & 1) == 0) continue;
         const uint32_t beyond = across(frame, patch, k, m);
-        if (beyond != format::kNoNeighbour && frame.memory.links[beyond] == kWithoutSamples) {
+        const uint16_t link = beyond == format::kNoNeighbour ? kTurnedAway : frame.memory.links[beyond];
+        if (link == kWithoutSamples) {
             mark_thin(frame, k, beyond, target);
             continue;
         }
         const Side side = side_of(patch, k, m);
-        if (is_there(v[side.from]) && is_there(v[side.to])) mark_edge(v[side.from], v[side.to], target);
+        if (is_there(v[side.from]) && is_there(v[side.to]))
+            mark_edge(v[side.from], v[side.to], link != kTurnedAway, target);
     }
 }
 
@@ -257,16 +267,16 @@ void mark_see_through_sides(const SurfaceFrame& frame, uint32_t triangle, const 
     for (uint32_t n = 0; n < 3; ++n) {
         const Side side = side_of(patch, triangle, n);
         if (is_there(v[side.from]) && is_there(v[side.to]) && is_outline(frame, patch, triangle, n))
-            mark_cut_pixels<true>(v[side.from], v[side.to], target);
+            mark_cut_pixels<true>(v[side.from], v[side.to], false, target);
     }
 }
 
 }  // namespace
 
-LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to,
+LUMI_HOT __attribute__((noinline)) void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, bool is_crease,
                                                   const Target& target)
 {
-    mark_cut_pixels<false>(from, to, target);
+    mark_cut_pixels<false>(from, to, is_crease, target);
 }
 
 LUMI_HOT void drop_inner_edges(const Target& target)

@@ -151,13 +151,17 @@ struct SmallTarget {
     SmallTarget(const SmallTarget&) = delete;
 
     // Ends in 1/64 sample.
-    void mark(const std::array<int32_t, 2>& from, const std::array<int32_t, 2>& to)
+    void mark(const std::array<int32_t, 2>& from, const std::array<int32_t, 2>& to, bool is_crease = false)
     {
         const auto vertex = [](const std::array<int32_t, 2>& c) {
             constexpr int32_t kDepth = 20000;
             return SurfaceVertex{c[0] * 256 + (kDepth & 0xFF), c[1] * 256 + (kDepth >> 8), 0};
         };
-        mark_edge(vertex(from), vertex(to), target);
+        mark_edge(vertex(from), vertex(to), is_crease, target);
+    }
+    void fill(uint16_t depth)
+    {
+        for (auto& row : depths) std::fill(std::begin(row), std::end(row), depth);
     }
     double coverage(int32_t x, int32_t y) const
     {
@@ -268,6 +272,38 @@ TEST_CASE("coverage of random triangles and slivers is that of a polygon clipper
     CHECK(thin.worst_plain <= kPlainBound);
     CHECK(large.squares < 0.165 * large.squares_of_samples);
     CHECK(thin.squares < 0.355 * thin.squares_of_samples);
+}
+
+TEST_CASE("beside a crease a pixel shows as much of what lies across as the edge cuts off, where the crease is seen")
+{
+    std::mt19937 random(60);
+    const auto place = [&] { return static_cast<int32_t>(random() % (64u * kSide)); };
+    constexpr uint16_t kAtCrease = 20000, kBefore = 23000;
+    double worst = 0;
+    uint32_t cut = 0, hidden = 0;
+    for (int k = 0; k < 4000; ++k) {
+        // From side to side of the target, more or less downwards; its inside is to the right.
+        const int32_t top = place(), bottom = place();
+        SmallTarget seen, covered;
+        seen.fill(kAtCrease);
+        covered.fill(kBefore);
+        for (SmallTarget* t : {&seen, &covered}) t->mark({top, 0}, {bottom, 64 * kSide}, true);
+        const Polygon inside = {{top / 64.0, 0}, {2 * kSide, 0}, {2 * kSide, kSide}, {bottom / 64.0, kSide}};
+        for (int32_t y = 2; y < kSide - 2; ++y) {
+            for (int32_t x = 2; x < kSide - 2; ++x) {
+                hidden += is_marked(covered.target, x, y);
+                const double area = area_in(inside, x, y);
+                const double centre = top + (bottom - top) * (y + 0.5) / kSide - (64 * x + 32);
+                if (std::abs(centre) < 2) continue;  // roundings decide which side it is on
+                const double share = is_marked(seen.target, x, y) ? Mark(seen.target, x, y).share / 32.0 : 0;
+                worst = std::max(worst, std::abs(share - (centre < 0 ? 1 - area : area)));
+                cut += share > 0;
+            }
+        }
+    }
+    CHECK(worst <= kPlainBound);
+    CHECK(cut > 10000);
+    CHECK(hidden == 0);
 }
 
 TEST_CASE("of several edges of surfaces that overlap the outermost cuts, in any order")

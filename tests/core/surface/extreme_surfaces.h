@@ -196,7 +196,8 @@ private:
         Bytes b;
         const uint32_t triangles = 2 * static_cast<uint32_t>(s.patches.size());
         for (uint32_t k = 0; k < 2 * triangles; ++k)
-            put16(b, choose_.once_in(2) ? detail::format::kNoNeighbour : choose_.below(triangles));
+            put16(b, (choose_.once_in(2) ? detail::format::kNoNeighbour : choose_.below(triangles)) |
+                         (choose_.once_in(4) ? detail::format::kCrease : 0));
         return {detail::format::kNeighbourSection, 0, b};
     }
 

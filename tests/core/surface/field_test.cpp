@@ -207,4 +207,7 @@ TEST_CASE("neighbours of surface fields that do not exist are refused")
     const uint32_t triangles = 2 * static_cast<uint32_t>(bumpy_ball().patches.size());
     CHECK(neighbours_with(triangles - 1) == FieldError::none);
     CHECK(neighbours_with(triangles) == FieldError::bad_neighbours);
+    CHECK(neighbours_with((triangles - 1) | format::kCrease) == FieldError::none);
+    CHECK(neighbours_with(format::kNoNeighbour | format::kCrease) == FieldError::none);
+    CHECK(neighbours_with(triangles | format::kCrease) == FieldError::bad_neighbours);
 }

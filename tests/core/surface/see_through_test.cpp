@@ -319,7 +319,7 @@ TEST_CASE("an opaque edge behind glass marks no pixels that show glass alone")
                 target.depths(y)[x] = static_cast<uint16_t>(x < 2 ? kShownDepth : has_inside ? 40000 : kFarDepth - 1);
         // Downwards at x = 2.2, so its inside is to the right.
         const auto vertex = [](int32_t x_q6, int32_t y_q6) { return packed({x_q6, y_q6, 30000}, 0); };
-        mark_edge(vertex(141, 0), vertex(141, 256), target);
+        mark_edge(vertex(141, 0), vertex(141, 256), false, target);
         CHECK(is_marked(target, 1, 1) == false);
         CHECK(is_marked(target, 2, 1) == has_inside);
     }

@@ -85,8 +85,8 @@ inline Fields565 mixed_light(Fields565 a, Fields565 b, uint32_t share)
 }
 
 // Marks the pixels that an edge cuts, after all triangles are drawn. The edge lies on a triangle that is
-// counter-clockwise on the screen, in its order.
-LUMI_HOT void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, const Target& target);
+// counter-clockwise on the screen, in its order. A crease has a triangle on its other side, too.
+LUMI_HOT void mark_edge(const SurfaceVertex& from, const SurfaceVertex& to, bool is_crease, const Target& target);
 
 // Takes the marks of edges that lie further in than another one. Comes after all edges of opaque triangles.
 LUMI_HOT void drop_inner_edges(const Target& target);

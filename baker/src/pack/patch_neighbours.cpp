@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "pack/patch_neighbours.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+namespace lumi::baker
+{
+namespace
+{
+
+using detail::format::kCrease;
+using detail::format::kNoNeighbour;
+
+using Place = std::tuple<float, float, float>;
+using Edge = std::pair<Place, Place>;  // from one to the other, as its triangle winds
+
+Place place(const PatchMesh& mesh, uint32_t vertex)
+{
+    const Vec3& p = mesh.positions[vertex];
+    return {p.x, p.y, p.z};
+}
+
+// A side of a patch that has a neighbour of its own: its vertices as its triangle winds, the triangle's third vertex,
+// and the triangle's number.
+struct PatchSide {
+    uint32_t from, to, opposite, triangle;
+};
+
+std::vector<PatchSide> patch_sides(const PatchMesh::Patch& p, uint32_t number)
+{
+    const uint32_t first = 2 * number, second = first + 1;
+    if (p.d == PatchMesh::kNone) return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.b, p.c, p.a, first}};
+    return {{p.a, p.b, p.c, first}, {p.c, p.a, p.b, first}, {p.d, p.c, p.b, second}, {p.b, p.d, p.c, second}};
+}
+
+using SidesByEdge = std::map<Edge, std::vector<PatchSide>>;
+
+// The side of the triangle across; null where the mesh ends, or where more than two triangles meet. A triangle that is
+// the back of the side's own one shares its third vertex: it lies on the same edge, but not across it.
+const PatchSide* across(const PatchMesh& mesh, const SidesByEdge& sides, const PatchSide& side)
+{
+    const auto found = sides.find({place(mesh, side.to), place(mesh, side.from)});
+    if (found == sides.end()) return nullptr;
+    const PatchSide* result = nullptr;
+    for (const PatchSide& other : found->second) {
+        if (place(mesh, other.opposite) == place(mesh, side.opposite)) continue;
+        if (result != nullptr) return nullptr;
+        result = &other;
+    }
+    return result;
+}
+
+// Finds the sides along which colours differ.
+class Creases
+{
+public:
+    Creases(const FitShape& shape, const FieldParts& parts) : shape_(shape), parts_(parts) {}
+
+    // Whether the mean colours on both sides differ so much that stairs would show. What differs here and there alike
+    // is the texture's own detail.
+    bool is_one(const PatchSide& side, const PatchSide& other) const
+    {
+        constexpr int kPlaces = 8, kLeast = 24;  // levels of the channel that differs most
+        std::array<int, 3> sum{};
+        for (int k = 0; k < kPlaces; ++k) {
+            const float along = (static_cast<float>(k) + 0.5f) / kPlaces;
+            const Rgb8 &own = colour(side, along), &beyond = colour(other, 1 - along);
+            sum[0] += own.r - beyond.r;
+            sum[1] += own.g - beyond.g;
+            sum[2] += own.b - beyond.b;
+        }
+        return std::any_of(sum.begin(), sum.end(), [](int s) { return std::abs(s) >= kPlaces * kLeast; });
+    }
+
+private:
+    // Texels from the rectangle's corner (0, 0).
+    Vec2 corner(uint32_t patch, uint32_t vertex) const
+    {
+        const PatchMesh::Patch& p = shape_.mesh.patches[patch];
+        const PatchRectangle& r = shape_.layout.rectangles[patch];
+        return {vertex == p.b || vertex == p.d ? static_cast<float>(r.n) : 0.0f,
+                vertex == p.c || vertex == p.d ? static_cast<float>(r.m) : 0.0f};
+    }
+
+    // The texel at the rim there.
+    const Rgb8& colour(const PatchSide& side, float along) const
+    {
+        const uint32_t patch = side.triangle / 2;
+        const PatchRectangle& r = shape_.layout.rectangles[patch];
+        const Vec2 from = corner(patch, side.from), to = corner(patch, side.to);
+        const auto column = static_cast<uint32_t>(from.x + along * (to.x - from.x));
+        const auto row = static_cast<uint32_t>(from.y + along * (to.y - from.y));
+        return parts_.palette[parts_.texels[r.begin + std::min(row, r.m - 1) * r.n + std::min(column, r.n - 1)]];
+    }
+
+    const FitShape& shape_;
+    const FieldParts& parts_;
+};
+
+// Adds those of patches from `first` up to `end`. Vertices at one place are one here, whatever their normals.
+void add_neighbours(const PatchMesh& mesh, uint32_t first, uint32_t end, const Creases& creases,
+                    std::vector<std::array<uint16_t, 4>>& result)
+{
+    SidesByEdge sides;
+    for (uint32_t k = first; k < end; ++k)
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k))
+            sides[{place(mesh, side.from), place(mesh, side.to)}].push_back(side);
+    for (uint32_t k = first; k < end; ++k) {
+        std::array<uint16_t, 4> neighbours;
+        neighbours.fill(kNoNeighbour);
+        size_t at = 0;
+        for (const PatchSide& side : patch_sides(mesh.patches[k], k)) {
+            uint16_t& word = neighbours[at++];
+            const PatchSide* const other = across(mesh, sides, side);
+            if (other == nullptr) continue;
+            word = static_cast<uint16_t>(other->triangle);
+            const bool is_crease =
+                k < mesh.opaque_patches() && side.triangle < other->triangle && creases.is_one(side, *other);
+            if (is_crease) word = static_cast<uint16_t>(word | kCrease);
+        }
+        result.push_back(neighbours);
+    }
+}
+
+// The first opaque patch of the body and of each part, and the end of the last.
+std::vector<uint32_t> owner_ends(const PatchMesh& mesh)
+{
+    std::vector<uint32_t> ends = {0};
+    for (const MovingPart& part : mesh.parts)
+        if (part.follows == 0) ends.push_back(part.first_patch);
+    ends.push_back(mesh.opaque_patches());
+    return ends;
+}
+
+}  // namespace
+
+bool is_shadow(const PatchMesh& mesh, uint32_t patch)
+{
+    return patch < mesh.opaque_patches() + mesh.ground_patches || mesh.owner_of(patch) != 0;
+}
+
+std::vector<std::array<uint16_t, 4>> patch_neighbours(const FitShape& shape, const FieldParts& parts)
+{
+    const PatchMesh& mesh = shape.mesh;
+    std::vector<uint32_t> ends = owner_ends(mesh);
+    ends.push_back(static_cast<uint32_t>(mesh.patches.size()));
+    std::vector<std::array<uint16_t, 4>> result;
+    const Creases creases(shape, parts);
+    for (size_t k = 1; k < ends.size(); ++k) add_neighbours(mesh, ends[k - 1], ends[k], creases, result);
+    for (uint32_t p = mesh.opaque_patches(); p < result.size(); ++p)
+        for (uint32_t side = 0; is_shadow(mesh, p) && side < 4; ++side)
+            if (result[p][side] == kNoNeighbour) result[p][side] = static_cast<uint16_t>(2 * p + side / 2);
+    return result;
+}
+
+}  // namespace lumi::baker
