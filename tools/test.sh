@@ -90,7 +90,7 @@ check_branches_of_core() {
   "$build/tests/core/lumi_core_tests" --filenames-as-tags '~[#halves_threads_test]'
   "$build/tests/core/lumi_c_tests"
   gcovr --root "$root" --filter 'core/(src|include)/' "$build" -j "$jobs" --branches --print-summary \
-    --fail-under-branch "$least_branches"
+    --json "$build/lines.json" --fail-under-branch "$least_branches"
 }
 
 # Sums up what ctest says of each group of tests, a line a group: seconds of all processes together, number of tests.
