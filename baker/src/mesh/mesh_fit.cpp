@@ -11,8 +11,8 @@ namespace
 {
 
 // Weights in the sum of squares. The first two are shares of the rays that a vertex has on average.
-constexpr double kSmoothness = 0.02;  // weight of a difference between neighbours' displacements
-constexpr double kInertia = 0.005;    // weight of a displacement itself
+constexpr double kSmoothness = 0.005;  // weight of a difference between neighbours' displacements
+constexpr double kInertia = 0.005;     // weight of a displacement itself
 constexpr double kOutlineScale = 2;  // factor on an outline point's equation: it counts as the square of that many hits
 constexpr int kFittingRounds = 4;
 constexpr int kSolverSteps = 40;
