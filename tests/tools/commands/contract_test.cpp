@@ -199,7 +199,8 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
     for (const std::string& file : {out, asm_out, baked}) test::write_content(file, earlier);
     const size_t entries = folder.entries();
     for (const auto& [call, hint] : calls) {
-        check_refused(lumi(call), 1, Catch::StartsWith("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
+        // On a machine with much to do, a line that tells what takes long may come first.
+        check_refused(lumi(call), 1, Catch::Contains("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
         for (const std::string& file : {out, asm_out, baked}) CHECK(test::content_of(file) == earlier);
         CHECK(folder.entries() == entries);
     }
