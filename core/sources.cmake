@@ -43,7 +43,12 @@ set(LUMI_CORE_SOURCES
   src/surface/projection.cpp
   src/surface/armv6m/rows.S
   src/surface/armv7m/rows.S
-  src/surface/rows.cpp
+  src/surface/rows_565.cpp
+  src/surface/rows_packed.cpp
+  src/surface/rows_swapped.cpp
+  src/surface/blends_565.cpp
+  src/surface/blends_packed.cpp
+  src/surface/blends_swapped.cpp
   src/surface/see_through.cpp
   src/surface/split.cpp
   src/surface/target.cpp

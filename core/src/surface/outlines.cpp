@@ -300,7 +300,7 @@ LUMI_HOT void mark_outlines(const SurfaceFrame& frame, const Target& target)
     drop_inner_edges(target);
 }
 
-LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target)
+void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target)
 {
     const uint32_t* const order = frame.memory.features;
     for (uint32_t k = 0; k < frame.see_through_triangles; ++k)

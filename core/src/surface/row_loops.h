@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The loops of lumi/surface/detail/row_loops.h in C++, for every kind of colour and way to read textures, of opaque
 // triangles and of see-through ones.
+//
+// A build may put hot functions into one section (LUMI_HOT_SECTION), of which a linker takes all that one file has or
+// nothing. So there is a file for each kind of samples, rows_*.cpp and blends_*.cpp.
 #pragma once
 
 #include "lumi/surface/detail/see_through.h"
+
+// Processors for which loops over opaque 5-6-5 pixels exist in assembly (armv6m/rows.S, armv7m/rows.S), which reads
+// struct Rows as it is.
+#if defined(__ARM_ARCH_6M__) || (defined(__thumb2__) && __ARM_ARCH_PROFILE == 'M')
+#define LUMI_ROW_LOOPS_IN_ASSEMBLY 1
+#endif
 
 namespace lumi::detail
 {

@@ -180,7 +180,7 @@ void store_glass(const Samples& s, int32_t y)
 }
 
 // Does what mark_outlines() does for see-through triangles, over a colour that is known beside the target.
-LUMI_HOT void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target);
+void mark_see_through_outlines(const SurfaceFrame& frame, const Target& target);
 
 // Does what store_coverage() does where see-through triangles were drawn.
 void store_see_through_coverage(const StripeSamples& samples, int32_t y);
