@@ -59,20 +59,25 @@ class Creases
 public:
     Creases(const FitShape& shape, const FieldParts& parts) : shape_(shape), parts_(parts) {}
 
-    // Whether the mean colours on both sides differ so much that stairs would show. What differs here and there alike
-    // is the texture's own detail.
+    // Whether the mean colours on both sides differ so much that stairs would show, and by more than a texel does from
+    // the next one inwards: where texels are coarse or full of detail, what differs is none of the surface's own.
     bool is_one(const PatchSide& side, const PatchSide& other) const
     {
         constexpr int kPlaces = 8, kLeast = 24;  // levels of the channel that differs most
+        constexpr int kSteeper = 2;
         std::array<int, 3> sum{};
+        int detail = 0;
         for (int k = 0; k < kPlaces; ++k) {
             const float along = (static_cast<float>(k) + 0.5f) / kPlaces;
-            const Rgb8 &own = colour(side, along), &beyond = colour(other, 1 - along);
+            const Rgb8 &own = colour(side, along, 0), &beyond = colour(other, 1 - along, 0);
             sum[0] += own.r - beyond.r;
             sum[1] += own.g - beyond.g;
             sum[2] += own.b - beyond.b;
+            detail +=
+                std::max(difference(own, colour(side, along, 1)), difference(beyond, colour(other, 1 - along, 1)));
         }
-        return std::any_of(sum.begin(), sum.end(), [](int s) { return std::abs(s) >= kPlaces * kLeast; });
+        const int most = std::max({std::abs(sum[0]), std::abs(sum[1]), std::abs(sum[2])});
+        return most >= kPlaces * kLeast && most >= kSteeper * detail;
     }
 
 private:
@@ -85,15 +90,25 @@ private:
                 vertex == p.c || vertex == p.d ? static_cast<float>(r.m) : 0.0f};
     }
 
-    // The texel at the rim there.
-    const Rgb8& colour(const PatchSide& side, float along) const
+    static int difference(const Rgb8& a, const Rgb8& b)
+    {
+        return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+    }
+
+    // The texel at the rim there, or so many further in.
+    const Rgb8& colour(const PatchSide& side, float along, int inwards) const
     {
         const uint32_t patch = side.triangle / 2;
         const PatchRectangle& r = shape_.layout.rectangles[patch];
         const Vec2 from = corner(patch, side.from), to = corner(patch, side.to);
-        const auto column = static_cast<uint32_t>(from.x + along * (to.x - from.x));
-        const auto row = static_cast<uint32_t>(from.y + along * (to.y - from.y));
-        return parts_.palette[parts_.texels[r.begin + std::min(row, r.m - 1) * r.n + std::min(column, r.n - 1)]];
+        const auto place = [&](float begin, float end, uint32_t count, bool is_diagonal) {
+            const int at = std::min(static_cast<int>(begin + along * (end - begin)), static_cast<int>(count) - 1);
+            const int step = begin == end ? (begin == 0 ? inwards : -inwards) : is_diagonal ? -inwards : 0;
+            return static_cast<uint32_t>(std::clamp(at + step, 0, static_cast<int>(count) - 1));
+        };
+        const bool is_diagonal = from.x != to.x && from.y != to.y;
+        const uint32_t column = place(from.x, to.x, r.n, is_diagonal), row = place(from.y, to.y, r.m, is_diagonal);
+        return parts_.palette[parts_.texels[r.begin + row * r.n + column]];
     }
 
     const FitShape& shape_;
