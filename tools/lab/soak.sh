@@ -37,7 +37,8 @@ bake_fields() {
   local scene=$root/baker/scenes/product.obj
   [[ -x $lumi ]] || (cd "$root" && cmake --preset release && cmake --build --preset release --target lumi)
   [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
-  [[ -f $work/bottle.lumi ]] || "$lumi" bake "$root/tools/lab/scenes/bottle.json" -o "$work/bottle.lumi" --layout surface --fit 60kB --paths 10
+  python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work"
+  [[ -f $work/bottle.lumi ]] || "$lumi" bake "$work/bottle.json" -o "$work/bottle.lumi" --layout surface --fit 60kB --paths 10
   [[ -f $work/moving.lumi ]] || "$lumi" bake "$root/baker/scenes/clock.json" -o "$work/moving.lumi" --fit 60kB --paths 4
   [[ -f $work/chord.lumi ]] ||
     "$lumi" bake "$scene" -o "$work/chord.lumi" --origins 256 --directions 512 --texel rgb565 --spp 2

@@ -14,6 +14,7 @@ import argparse
 import hashlib
 import json
 import pathlib
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -94,13 +95,17 @@ class Counter:
         return json.loads(kept.read_text())
 
 
+def scene_of(scene, work):
+    return scene if isinstance(scene, pathlib.Path) else work / "scenes" / scene
+
+
 def surface_fields(work):
-    return [(name, bench.bake(work / f"{slug(name)}.lumi", bench.ROOT / "tools/lab/scenes" / scene, *SURFACE, *options))
+    return [(name, bench.bake(work / f"{slug(name)}.lumi", scene_of(scene, work), *SURFACE, *options))
             for name, scene, options in SURFACE_FIELDS]
 
 
 def chord_fields(work, fields, texels):
-    return [(name, texel, own, bench.bake(work / f"{slug(name)}.{texel}.lumi", bench.ROOT / "tools/lab/scenes" / scene, *CHORD, *options,
+    return [(name, texel, own, bench.bake(work / f"{slug(name)}.{texel}.lumi", scene_of(scene, work), *CHORD, *options,
                                           "--texel", texel))
             for name, scene, options, own in fields
             for texel in (texels if texels and scene != TRANSPARENT else [own])]
@@ -212,7 +217,8 @@ def main(arguments):
     parser.add_argument("--work", type=pathlib.Path, default=bench.ROOT / "build/model", help="[build/model]")
     options = parser.parse_args(arguments)
     work = options.work.absolute()
-    work.mkdir(parents=True, exist_ok=True)
+    (work / "scenes").mkdir(parents=True, exist_ok=True)
+    subprocess.run([sys.executable, bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
     try:
         counter = Counter(options.core.split(","), work)
         rows = {}

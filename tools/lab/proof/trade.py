@@ -10,6 +10,7 @@ references and reports stay in FOLDER [build/trade], and what is there is not ma
 import argparse
 import json
 import pathlib
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -31,7 +32,7 @@ def kept(path, *words):
 
 
 def report(name, work, is_quick):
-    scene = CLOCK if name == "clock" else bench.ROOT / f"tools/lab/scenes/{name}.json"
+    scene = CLOCK if name == "clock" else work / f"scenes/{name}.json"
     return kept(work / f"{name}.json", bench.lumi, "report", scene, "--for", ",".join(PARTS), "--cache", work / "cache", "-o",
                 work / f"{name}.html", "--json", *["--quick"] * is_quick)
 
@@ -61,6 +62,7 @@ def main(arguments):
     options = parser.parse_args(arguments)
     work = options.work.absolute()
     work.mkdir(parents=True, exist_ok=True)
+    subprocess.run([sys.executable, "-B", bench.ROOT / "tools/lab/scenes/write_scenes.py", work / "scenes"], check=True)
     data = {"scenes": [], "rows": []}
     try:
         for name, title in TITLES.items():
