@@ -110,7 +110,7 @@ bool has_fitting_neighbours(const SurfaceField& field)
 {
     if (field.neighbours == nullptr) return true;
     for (uint32_t k = 0; k < 4 * field.patch_count; ++k) {
-        const uint32_t triangle = load_u16(field.neighbours + 2 * k) & kNoNeighbour;
+        const uint32_t triangle = load_u16(field.neighbours + 2 * k) & kNeighbourMask;
         if (triangle >= 2 * field.patch_count && triangle != kNoNeighbour) return false;
     }
     return true;

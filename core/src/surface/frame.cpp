@@ -72,7 +72,7 @@ void put_triangles(SurfaceFrame& frame)
 LUMI_ALWAYS_INLINE uint32_t is_outline(const SurfaceFrame& frame, const uint8_t* neighbours, uint32_t n)
 {
     const uint32_t word = static_cast<uint32_t>(neighbours[2 * n] | neighbours[2 * n + 1] << 8);
-    const uint32_t across = word & format::kNoNeighbour;
+    const uint32_t across = word & format::kNeighbourMask;
     return across == format::kNoNeighbour || frame.memory.links[across] >= kWithoutSamples ? 1 : word / format::kCrease;
 }
 

@@ -62,7 +62,7 @@ inline uint32_t across(const SurfaceFrame& frame, const SurfacePatch& patch, uin
     const bool is_lone = patch.corner[3] == format::kNoVertex;
     if (n == 2 && !is_lone) return triangle ^ 1;
     const uint8_t* const at = frame.field.neighbours + (triangle >> 1) * format::kNeighbourBytes + 2 * (2 * second + n);
-    return static_cast<uint32_t>(at[0] | at[1] << 8) & format::kNoNeighbour;
+    return static_cast<uint32_t>(at[0] | at[1] << 8) & format::kNeighbourMask;
 }
 
 inline bool is_outline(const SurfaceFrame& frame, const SurfacePatch& patch, uint32_t triangle, uint32_t n)

@@ -92,7 +92,7 @@ bool own_corners(const SurfaceField& field, const OwnerRanges& owner, const Numb
 bool own_neighbours(const SurfaceField& field, const NumberRange& patches)
 {
     for (uint32_t k = 4 * patches.begin; k < 4 * patches.end; ++k) {
-        const uint32_t triangle = load_u16(field.neighbours + 2 * k) & kNoNeighbour;
+        const uint32_t triangle = load_u16(field.neighbours + 2 * k) & kNeighbourMask;
         if (triangle != kNoNeighbour && !patches.has(triangle / 2)) return false;
     }
     return true;

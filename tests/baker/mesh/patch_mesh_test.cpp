@@ -112,4 +112,17 @@ TEST_CASE("Wires thinner than half a pixel are named, and thicker ones are not",
     CHECK(thin_share(0.012f) < 0.001);
 }
 
+TEST_CASE("A mesh of far too few triangles does not come silently", "[surface]")
+{
+    SceneMaker maker;  // bricks: most edges have more than two triangles
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    for (int k = 0; k < 216; ++k) {
+        const Vec3 p =
+            Vec3{static_cast<float>(k % 6), static_cast<float>(k / 6 % 6), static_cast<float>(k / 36)} * 0.15f;
+        maker.box(matter, p, p + Vec3{0.15f, 0.15f, 0.15f});
+    }
+    const BuiltMesh surface = built_mesh(maker.make(constant_environment(1)), {60, 2, 0.7f});
+    CHECK_FALSE(surface.warnings.empty());
+}
+
 }  // namespace lumi::baker::testing

@@ -184,7 +184,7 @@ TEST_CASE("what lies across an edge of a sheet is on the same side of it")
         const bool is_alone = detail::surface_patch(field, p).corner[3] == detail::format::kNoVertex;
         for (uint32_t k = 0; k < (is_alone ? 3 : 4); ++k) {
             const uint8_t* at = field.neighbours + detail::format::kNeighbourBytes * p + 2 * k;
-            const uint32_t neighbour = static_cast<uint32_t>(at[0] | at[1] << 8) & detail::format::kNoNeighbour;
+            const uint32_t neighbour = static_cast<uint32_t>(at[0] | at[1] << 8) & detail::format::kNeighbourMask;
             if (neighbour == detail::format::kNoNeighbour) continue;
             ++across;
             CHECK(faces_up(field, neighbour) == faces_up(field, 2 * p));

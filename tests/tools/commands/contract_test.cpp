@@ -199,8 +199,10 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
     for (const std::string& file : {out, asm_out, baked}) test::write_content(file, earlier);
     const size_t entries = folder.entries();
     for (const auto& [call, hint] : calls) {
-        // On a machine with much to do, a line that tells what takes long may come first.
-        check_refused(lumi(call), 1, Catch::Contains("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
+        Outcome outcome = lumi(call);
+        // The last line: on a machine with much to do, lines that tell what takes long come first.
+        if (outcome.err.size() > 1) outcome.err.erase(0, outcome.err.rfind('\n', outcome.err.size() - 2) + 1);
+        check_refused(outcome, 1, Catch::StartsWith("lumi: ") && Catch::Contains(hint) && Catch::Contains("; "));
         for (const std::string& file : {out, asm_out, baked}) CHECK(test::content_of(file) == earlier);
         CHECK(folder.entries() == entries);
     }

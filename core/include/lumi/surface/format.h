@@ -66,11 +66,12 @@ constexpr uint32_t patch_reach(uint32_t n)
 }
 
 // Neighbours: for each patch the triangles across its sides a-b, c-a, and c-d, d-b, or b-c where it has one triangle
-// (then 0xFFFF). u16, of which bits 0 .. 14 are the triangle, or kNoNeighbour where the mesh ends. kCrease says that
+// (then 0xFFFF). u16, of which kNeighbourMask is the triangle, or kNoNeighbour where the mesh ends. kCrease says that
 // colours differ along the side; one of the two that share it has it, and where there is no neighbour it says nothing.
 // With neighbours, outlines and creases can be drawn smooth (SurfaceMode).
 inline constexpr uint32_t kNeighbourBytes = 8;
-inline constexpr uint32_t kNoNeighbour = 0x7FFF, kCrease = 0x8000;
+inline constexpr uint32_t kNeighbourMask = 0x7FFF, kCrease = 0x8000;
+inline constexpr uint32_t kNoNeighbour = kNeighbourMask;
 
 // See-through parts: the last patches, from kFirstAt on. Their texels name entries of the section's own palette: what
 // the surface adds, multiplied by its coverage, and how much of what lies behind passes, 0 .. 255, for each channel. A
