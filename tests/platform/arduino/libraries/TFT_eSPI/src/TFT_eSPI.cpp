@@ -26,7 +26,8 @@ void TFT_eSPI::pushImage(int32_t x, int32_t y, int32_t w, int32_t h, uint16_t* d
         fprintf(stderr, "TFT_eSPI: pixels beside the picture, or not as they are sent\n");
         exit(1);
     }
-    for (int32_t row = 0; row < h; ++row) memcpy(screen[y + row] + x, data + row * w, sizeof *data * static_cast<size_t>(w));
+    for (int32_t row = 0; row < h; ++row)
+        memcpy(screen[y + row] + x, data + row * w, sizeof *data * static_cast<size_t>(w));
 }
 
 void after_loop()
