@@ -89,6 +89,7 @@ inline void store_background(uint8_t* pixel, const Background& background)
 template <class Pixel, class Background>
 void fill_pixels(const Background& background, uint8_t* pixel, int32_t count)
 {
+    LUMI_TALLY(Work::background, count);
     if constexpr (kKeepsCoverage<Background>) {
         __builtin_memset(pixel, 0, static_cast<uint32_t>(count) * Pixel::kBytes);
     } else {

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "lumi/detail/compiler.h"
+#include "lumi/detail/work.h"
 
 namespace lumi
 {

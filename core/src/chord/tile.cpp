@@ -36,6 +36,7 @@ LUMI_ALWAYS_INLINE bool within(int32_t v, int32_t limit)
 
 bool TileWalker::prepare(const TileCorners& corners, int width_log2)
 {
+    LUMI_TALLY(Work::tile_side, 1);
     const Hit& top_left = corners.top_left->*track_.hit;
     const Hit& top_right = corners.top_right->*track_.hit;
     const Hit& bottom_left = corners.bottom_left->*track_.hit;

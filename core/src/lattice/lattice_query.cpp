@@ -27,6 +27,7 @@ int zone_of(const Query& q)
     const uint32_t n_sine2 = n_sine2_q10(q.height_q10, q.z_q30);
     int k = 1;
     while (k + 1 < kZones && n_sine2 >= kZoneTables.threshold_q10[2 * (k + 1)]) ++k;
+    LUMI_TALLY(Work::zone_step, k);
     return k;
 }
 
@@ -34,6 +35,7 @@ int zone_of(const Query& q)
 
 Query make_query(const Lattice& lattice, const Vec3q30& d)
 {
+    LUMI_TALLY(Work::query, 1);
     const uint32_t longitude = angle_turns32(d.y, d.x);
     const int32_t z = clamp_q30(d.z);
     if (z >= 0) return {longitude, lattice.index_at_q10(z), z, false};

@@ -90,6 +90,7 @@ LocalDistances::Way LocalDistances::way(int32_t index, int32_t south_q14, int32_
 
 uint32_t LocalDistances::distance2(const Way& way) const
 {
+    LUMI_TALLY(Work::distance, 1);
     constexpr int32_t kTwelfthQ14 = 1365;
     constexpr int32_t kOneQ14 = 1 << 14;
     const int32_t w = way.south_q14 >> 14;

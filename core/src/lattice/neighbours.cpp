@@ -35,6 +35,7 @@ struct Ranking {
 
 void scan(const Lattice& lattice, const Query& query, const Vec3q30& direction, uint32_t end, Ranking& ranking)
 {
+    LUMI_TALLY(Work::scanned, end);
     for (uint32_t i = 0; i < end; ++i) {
         const uint32_t index = unmirrored(lattice, query, i);
         ranking.consider({index, distance2(lattice, point(lattice, index), direction)});
@@ -117,6 +118,7 @@ uint32_t kernel_points(const Lattice& lattice, const Vec3q30& direction, uint32_
 
 void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t count, uint32_t* weight_q12)
 {
+    LUMI_TALLY(Work::kernel, 1);
     const uint32_t radius2 = lattice.spacing2();
     uint32_t weight[kMaxNeighbours];
     uint32_t sum = 0;

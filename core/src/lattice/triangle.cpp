@@ -95,6 +95,7 @@ Triangle between_heights(const Lattice& lattice, int32_t z_q30)
 // hull's triangle are three for every size below 64 (tests/core/lattice/triangle_test.cpp).
 __attribute__((noinline)) Triangle hull_triangle(const Lattice& lattice, const Vec3q30& direction)
 {
+    LUMI_TALLY(Work::hull_triangle, 1);
     if (lattice.size() < kMinHull) return between_heights(lattice, direction.z);
     Neighbour near[kMaxNeighbours];
     const uint32_t count = nearest_of_all(lattice, direction, kMaxNeighbours, near);
@@ -182,6 +183,7 @@ PolarParts find(const PolarPosition& position)
 __attribute__((noinline)) PolarTriangle polar_triangle(const Lattice& lattice, const Query& query,
                                                        const Vec3q30& direction)
 {
+    LUMI_TALLY(Work::polar_triangle, 1);
     const PolarPosition position = projected(lattice, direction, query.z_q30);
     const PolarParts found = find(query.mirrored ? mirrored(lattice, position) : position);
     uint32_t part[3];
@@ -228,6 +230,7 @@ Triangle cell_triangle(const Lattice& lattice, const Query& q)
     constexpr int32_t kOne = static_cast<int32_t>(kWeightOneQ12);
     const Cell cell = cell_of(q);
     const int32_t corner = cell.first * (cell.u_q12 >> 12) + cell.second * (cell.v_q12 >> 12);
+    LUMI_TALLY(Work::cell, 1);
     const CellTriangle t =
         CellTriangle::of(cell.u_q12 & (kOne - 1), cell.v_q12 & (kOne - 1), kOne, !is_obtuse(lattice, cell, corner));
     Triangle result;

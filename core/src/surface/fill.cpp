@@ -109,6 +109,7 @@ LUMI_ALWAYS_INLINE void set_planes(Rows& rows, const PlaneMaker& maker)
 // Whether the rounding of a triangle's steps of colour adds up to a few levels from one side to the other.
 LUMI_ALWAYS_INLINE bool loses_colour(WideTriangle& wide, const PlaneMaker& maker, const TriangleSize& size)
 {
+    LUMI_TALLY(Work::wide, 1);
     const PlaneMaker::Lost lost = maker.set_lost(wide);
     wide.is_lost_in_rows = lost.right * size.wide_q6 > kMostLostQ24;
     return wide.is_lost_in_rows || lost.down * size.high_q6 > kMostLostQ24;
@@ -155,6 +156,7 @@ LUMI_HOT bool begin_triangle(TrianglePiece& piece, const Corner (&corner)[3], co
     Facing f = {&corner[0], &corner[1], &corner[2], between(p, q), between(p, r)};
     const int32_t area = doubled_area(f.ab, f.ac);
     if (area >= 0) return false;
+    LUMI_TALLY(Work::begun, 1);
     const Outline o = outline_of(f.a->at, f.b->at, f.c->at);
     const Shares shares = shares_of(f, static_cast<uint32_t>(-area), size.longer_q6);
     end_part();

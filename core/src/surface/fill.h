@@ -94,12 +94,14 @@ LUMI_ALWAYS_INLINE int32_t nearest_depth(const Seen& s)
 // Whether all samples there are nearer than any of the triangle can be.
 LUMI_ALWAYS_INLINE bool is_hidden(const Seen& s, const TriangleSize& size, const Extent& columns, const Target& target)
 {
+    LUMI_TALLY(Work::boxed, 1);
     const int32_t most = nearest_depth(s);
     const uint8_t* row = target.row(size.first_row - target.y);
     for (int32_t y = size.first_row; y < size.end_row; ++y, row += target.row_bytes) {
         const uint16_t* at = reinterpret_cast<const uint16_t*>(row) + columns.begin;
         const uint16_t* const end = reinterpret_cast<const uint16_t*>(row) + columns.end;
         do {
+            LUMI_TALLY(Work::looked_at, 1);
             if (*at < most) return false;
         } while (++at != end);
     }
@@ -138,6 +140,7 @@ bool next_cut(CutTriangle& cut, const SurfaceFrame& frame, const Target& target,
 LUMI_ALWAYS_INLINE bool begin_whole(TrianglePiece& piece, const SurfaceFrame& frame, uint32_t triangle,
                                     const Target& target)
 {
+    LUMI_TALLY(Work::offered, 1);
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);
     const SurfaceVertex* const v = frame.memory.vertices;
     const bool is_first = (triangle & 1) == 0;

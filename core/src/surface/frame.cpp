@@ -32,6 +32,7 @@ uint32_t code_of(const uint8_t* record, uint32_t node, uint32_t bits)
 uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
 {
     if (vertex >= frame.field.viewed_count) return 0;
+    LUMI_TALLY(Work::lit, 1);
     const uint32_t bits = frame.field.code_bits;
     const uint8_t* record = frame.field.views + vertex * format::view_bytes(bits);
     const uint8_t* turn = record + format::view_turn_at(bits);
@@ -106,6 +107,7 @@ void prepare(const SurfaceField& field, const SurfaceCamera& camera, SurfaceMode
 
 void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end)
 {
+    LUMI_TALLY(Work::bordered, end - begin);
     const uint16_t* link = frame.memory.links + 2 * begin;
     const uint8_t* neighbour = frame.field.neighbours + begin * format::kNeighbourBytes;
     uint8_t* const sides = outline_sides(frame);

@@ -54,6 +54,7 @@ LUMI_ALWAYS_INLINE bool next_listed(ListWalk& walk, const SurfaceFrame& frame, u
     const uint16_t* const links = frame.memory.links;
     while (true) {
         while (walk.triangle != kEmptyBand) {
+            LUMI_TALLY(Work::link, 1);
             triangle = walk.triangle;
             const uint32_t link = links[triangle];
             walk.triangle = after(triangle, link);

@@ -104,6 +104,7 @@ LUMI_ALWAYS_INLINE void mark_crossing(const Crossing& c, bool inside_is_upper, b
         uint32_t word, bit;
     };
     const auto place_of = [&](uint32_t x, uint32_t y) { return MarkPlace{y * words + x / 32, 1u << (x & 31)}; };
+    LUMI_TALLY(Work::line, c.end - c.first);
     uint8_t* line_at = target.first + c.first * lines.pitch;
     // A sample right at the edge counts as on its upper side, as where triangles are filled.
     int32_t at_q16 = wrapped_sum(c.at_q16, -0x8001), depth_q8 = c.depth_q8;
@@ -159,6 +160,7 @@ template <bool kIsSeeThrough>
 LUMI_ALWAYS_INLINE void mark_cut_pixels(const SurfaceVertex& from, const SurfaceVertex& to, bool is_crease,
                                         const Target& target)
 {
+    LUMI_TALLY(Work::edge, 1);
     constexpr int32_t kBetween = sizeof(uint16_t);
     const int32_t left_q6 = target.x * 64, top_q6 = target.y * 64, row_bytes = static_cast<int32_t>(target.row_bytes);
     const int32_t dx = x_q6(to) - x_q6(from), dy = y_q6(to) - y_q6(from);
@@ -240,6 +242,7 @@ __attribute__((noinline)) void drop_inner_of(const Target& target, bool is_row)
 
 void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Target& target)
 {
+    LUMI_TALLY(Work::outline, 1);
     const SurfacePatch patch = surface_patch(frame.field, k >> 1);
     const SurfaceVertex* v = frame.memory.vertices;
     const uint32_t odd = k & 1;
@@ -260,6 +263,7 @@ void mark_sides(const SurfaceFrame& frame, uint32_t k, uint32_t sides, const Tar
 
 void mark_see_through_sides(const SurfaceFrame& frame, uint32_t triangle, const Target& target)
 {
+    LUMI_TALLY(Work::outline, 1);
     const Seen s = seen(frame, triangle);
     if (!reaches(s, target)) return;
     const SurfacePatch patch = surface_patch(frame.field, triangle >> 1);

@@ -180,6 +180,7 @@ void place_cut(const SurfaceFrame& frame, CutTriangle& cut)
 
 void detail::place_vertices(const SurfaceFrame& frame, const NumberRange& vertices, PlacedVertices& placed)
 {
+    LUMI_TALLY(Work::vertex, vertices.end - vertices.begin);
     for (uint32_t k = vertices.begin; k < vertices.end; ++k) {
         const SurfaceProjection& projection = frame.projection;
         const SamplePoint p = projected(projection, moved_point(projection, surface_vertex(frame.field, k)));

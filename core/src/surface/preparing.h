@@ -70,6 +70,7 @@ LUMI_ALWAYS_INLINE PlacedVertices put_vertices(const SurfaceFrame& frame, uint32
                                                uint32_t colour = kUnlit)
 {
     PlacedVertices placed = kNoneIsPlaced;
+    LUMI_TALLY(Work::vertex, end - begin);
     for (uint32_t k = begin; k < end; ++k) {
         const SamplePoint p = projected(frame.projection, view_point(frame.projection, surface_vertex(frame.field, k)));
         frame.memory.vertices[k] = packed(p, colour);
@@ -118,6 +119,7 @@ public:
     // Takes the triangles (a, b, c) and (d, c, b) of a patch.
     LUMI_ALWAYS_INLINE void add(uint32_t patch, const uint32_t (&corner)[4])
     {
+        LUMI_TALLY(Work::patch, 1);
         const SurfaceVertex* v = frame_.memory.vertices;
         uint16_t* const links = frame_.memory.links + 2 * patch;
         const SurfaceVertex &a = v[corner[0]], &b = v[corner[1]], &c = v[corner[2]];
@@ -146,6 +148,7 @@ private:
     __attribute__((noinline)) void list_triangle(uint32_t triangle, const SurfaceVertex* a, const SurfaceVertex* b,
                                                  const SurfaceVertex* c)
     {
+        LUMI_TALLY(Work::listed, 1);
         if (is_cut(*a, *b, *c)) {
             put(frame_.other_list, triangle, 0);
         } else if (!list(triangle, {a, b, c})) {

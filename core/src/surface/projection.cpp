@@ -144,6 +144,7 @@ bool is_curved(const SurfaceFrame& frame, const SamplePoint& a, const SamplePoin
 
 bool set_projection(const SurfaceCamera& camera, SurfaceFrame& out)
 {
+    LUMI_TALLY(Work::frame, 1);
     SurfaceProjection& p = out.projection;
     set_depth_axis(p, camera);
     if (!set_depth_range(p)) return false;

@@ -71,6 +71,7 @@ LUMI_ALWAYS_INLINE PackedColour texel<Filter::bilinear>(uint32_t place, const Ro
     const uint32_t lower_left = t.lower[t.left], lower_right = t.lower[t.right];
     if (((upper_left ^ upper_right) | (upper_left ^ lower_left) | (upper_left ^ lower_right)) == 0)
         return rows.has_two_taps ? rows.palette[upper_left] * 2 : rows.palette[upper_left];
+    LUMI_TALLY(Work::mixed_texels, 1);
     const uint32_t both = t.across * t.down, across = 16 * t.across - both, down = 16 * t.down - both;
     uint32_t r = 0, g = 0, b = 0;
     const auto add = [&](uint32_t entry, uint32_t weight) {
@@ -157,6 +158,17 @@ struct Blended565 : Sample565<Pixel> {
     }
 };
 
+// A loop's samples; its shown ones come next.
+template <class Sample, Filter kFilter>
+constexpr Work work_of_samples()
+{
+    constexpr uint32_t kNth = static_cast<uint32_t>(kFilter);
+    if (Sample::kIsBlended) return nth_work(Work::see_sample, 2 * kNth);
+    if (kFilter == Filter::bilinear) return Work::bilinear_sample;
+    return sizeof(typename Sample::Colour) == sizeof(PackedColour) ? Work::packed_sample
+                                                                   : nth_work(Work::sample, 2 * kNth);
+}
+
 // Draws every row. Sample: what a sample holds, `Colour`, and how a PackedColour becomes that, `stored()`; where
 // triangles are blended over samples, also how it is read, `loaded()`.
 template <class Sample, Filter kFilter>
@@ -172,6 +184,7 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
         if constexpr (Sample::kIsBlended) passing.palette += format::kPaletteEntries;
         do {
             if (depth >> 16 > *depth_at) {
+                LUMI_TALLY((nth_work(work_of_samples<Sample, kFilter>(), 1)), 1);
                 if constexpr (!Sample::kIsBlended) *depth_at = static_cast<uint16_t>(depth >> 16);
                 PackedColour sum = colour + texel<kFilter>(place, at);
                 if ((sum & kGuardBits) != 0) sum = clamped(sum);
@@ -180,6 +193,7 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
                     if (sum != 0 || !is_all(passed)) {
                         sum = saturated_sum(sum, share_of(passed, Sample::loaded(*colour_at)));
                         *colour_at = Sample::stored(sum);
+                        LUMI_TALLY(Work::see_alone, *depth_at < kFarDepth);
                         if (*depth_at < kFarDepth) *depth_at = depth_behind(*depth_at, passed, sum);
                     }
                 } else {
@@ -193,8 +207,11 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
         } while (++depth_at != end);
     };
     while (true) {
+        LUMI_TALLY(Work::row, 1);
         const int32_t first = rows.edge_q16[0] >> 16, last = rows.edge_q16[1] >> 16;
         if (first < last) {
+            LUMI_TALLY(Work::filled, 1);
+            LUMI_TALLY((work_of_samples<Sample, kFilter>()), last - first);
             const uint32_t column = static_cast<uint32_t>(first);
             uint16_t* const depths = reinterpret_cast<uint16_t*>(rows.row);
             auto* const colours = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at);

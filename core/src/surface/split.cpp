@@ -40,6 +40,7 @@ private:
     // Sets the corners of a part that can be drawn as a whole, or halves it, or drops it.
     bool is_ready(const Cut& part, Corner (&corner)[3])
     {
+        LUMI_TALLY(Work::split, 1);
         ViewPoint view[3];
         SamplePoint point[3];
         for (int k = 0; k < 3; ++k) {
@@ -53,6 +54,7 @@ private:
             halve(part, k, next, 3 - k - next);
             return false;
         }
+        LUMI_TALLY(Work::split_part, 1);
         for (int k = 0; k < 3; ++k) {
             const Share& s = part.corner[k];
             cut_.corner[k] = packed(point[k], colour(s));

@@ -19,6 +19,7 @@ struct __attribute__((may_alias)) EightWords {
 // Stores of several words at once.
 LUMI_ALWAYS_INLINE uint32_t* fill_words(uint32_t* at, uint32_t count, uint32_t value)
 {
+    LUMI_TALLY(Work::word, count);
     const EightWords eight = {{value, value, value, value, value, value, value, value}};
     for (; count >= 8; count -= 8, at += 8) *reinterpret_cast<EightWords*>(at) = eight;
     for (; count != 0; --count) *at++ = value;
@@ -83,6 +84,7 @@ Target target_of(const SurfaceFrame& frame, const Stripe& covered, int32_t left_
     const int32_t y_px = within(covered.y_px - frame.margin, frame.scanlines);
     const int32_t right_px = within(covered.x_px + covered.width_px + frame.margin, frame.columns);
     const int32_t bottom_px = within(covered.y_px + covered.height_px + frame.margin, frame.scanlines);
+    LUMI_TALLY(Work::stripe, 1);
     Target t;
     t.width = (right_px - x_px) << log2;
     t.height = (bottom_px - y_px) << log2;
@@ -119,6 +121,7 @@ LUMI_HOT void clear_pixels(const Target& target, uint16_t pixel)
 
 LUMI_HOT void copy_pixels(uint8_t* to_bytes, const uint8_t* from_bytes, uint32_t count)
 {
+    LUMI_TALLY(Work::word, count / 2);
     uint16_t* to = reinterpret_cast<uint16_t*>(to_bytes);
     const uint16_t* from = reinterpret_cast<const uint16_t*>(from_bytes);
     const uintptr_t place = reinterpret_cast<uintptr_t>(to);
@@ -135,6 +138,7 @@ LUMI_HOT void copy_pixels(uint8_t* to_bytes, const uint8_t* from_bytes, uint32_t
 
 LUMI_HOT PackedColour mean_light_of(const PackedColour (&c)[4], PackedColour black)
 {
+    LUMI_TALLY(Work::four_apart, 1);
     const Rgb8 none = unpacked(black);
     uint32_t r = 0, g = 0, b = 0;
     const auto square = [](int32_t v) { return static_cast<uint32_t>(v * v); };
@@ -165,6 +169,7 @@ LUMI_HOT Fields565 mixed_light_of(Fields565 a, Fields565 b, uint32_t share)
 
 LUMI_HOT PackedColour lumi_clamped(PackedColour sum)
 {
+    LUMI_TALLY(Work::clamped, 1);
     sum = clamped_field(sum, 0x80000000, 0x7FE00000);
     sum = clamped_field(sum, 0x00100000, 0x000FFC00);
     return clamped_field(sum, 0x00000200, 0x000001FF);

@@ -91,6 +91,7 @@ void begin_wide(TrianglePiece& piece, int32_t long_step_q16, int32_t frame_row)
 
 LUMI_HOT bool next_part_of_wide(TrianglePiece& piece)
 {
+    LUMI_TALLY(Work::wide, 1);
     WideTriangle& wide = piece.wide;
     Rows& rows = piece.rows;
     if (wide.is_lost_in_rows) {

@@ -39,6 +39,7 @@ void draw_exact(const Field& field, const Camera& camera, const Background& back
                 uint8_t* pixels)
 {
     for (int32_t x = extent.begin; x < extent.end; ++x, pixels += Pixel::kBytes) {
+        LUMI_TALLY(Work::exact, 1);
         SphereRay ray;
         Gathered sums;
         if (ray_at(camera, x, y, ray)) {

@@ -9,6 +9,7 @@
 // point spacing at the largest n, worst next to its poles.
 #pragma once
 
+#include "lumi/detail/work.h"
 #include "lumi/fixed.h"
 
 namespace lumi::detail

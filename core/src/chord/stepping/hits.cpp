@@ -3,6 +3,7 @@
 
 #include "chord/stepping/coarse_math.h"
 #include "lumi/detail/compiler.h"
+#include "lumi/detail/work.h"
 
 namespace lumi::detail
 {
@@ -81,6 +82,7 @@ LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const ScanlineRays& rays,
 
 void HitEvaluator::evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& out) const
 {
+    LUMI_TALLY(Work::hit, 1);
     const Ray r = ray(rays, ahead);
     const int32_t px = r.px_q15;
     const int32_t py = r.py_q15;

@@ -32,6 +32,7 @@ void LineWalker::begin(const HitPair& at)
 
 int32_t LineWalker::prepare(const HitPair& at_pixel, const HitPair& next_pixel, int32_t length)
 {
+    LUMI_TALLY(Work::span_side, 1);
     const Hit& at = at_pixel.*track_.hit;
     const Hit& next = next_pixel.*track_.hit;
     const int32_t turn_q20 = static_cast<int32_t>(next.longitude_turns32 - at.longitude_turns32) >> 12;
@@ -95,6 +96,7 @@ bool LineWalker::is_over_pole(const Hit& at, const Hit& next) const
 
 int32_t LineWalker::prepare_polar(const HitPair& at, const HitPair& next, int32_t length)
 {
+    LUMI_TALLY(Work::polar_side, 1);
     const bool mirrored = (at.*track_.hit).z_q30 < 0;
     if (!in_plane_) {
         track_.enter_pole(mirrored);

@@ -33,6 +33,7 @@ int32_t obtuse_index_q10(const Lattice& lattice, const Zone& z)
 
 Zone make_zone(const Lattice& lattice, int k)
 {
+    LUMI_TALLY(Work::made_zone, 1);
     const uint32_t n = lattice.size();
     Zone z{};
     z.number = static_cast<int16_t>(k);
@@ -83,6 +84,7 @@ LatticeZones::LatticeZones(const Lattice& lattice)
 
 void ZoneMap::choose(int32_t z_q30, CellLine& line)
 {
+    LUMI_TALLY(Work::zone, 1);
     const int32_t height = z_q30 < 0 ? -z_q30 : z_q30;
     while (zone_ > 0 && height >= zones_.zone[zone_].begin_z_q30) --zone_;
     while (zone_ + 1 < kSpanZones && height < zones_.zone[zone_ + 1].begin_z_q30) ++zone_;

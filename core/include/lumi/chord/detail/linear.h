@@ -16,6 +16,7 @@ namespace lumi::detail
 template <bool kFlips, class Texel, class Pixel, class Background>
 void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* tile)
 {
+    LUMI_TALLY(Work::linear_piece, 1);
     using Sum = TexelSum<Texel, !Background::kIsBlack>;
     const Field field = span.field;  // stores of pixels do not change it
     BothSidesWalk<kFlips> both(
@@ -23,6 +24,9 @@ void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* til
         {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
     BothSidesScanlines scanlines(span, tile);
     for (;;) {
+        LUMI_TALLY(Work::linear_line, 1);
+        LUMI_TALLY(nth_work(Work::linear_pixel, static_cast<uint32_t>(Texel::kFormat)), span.length);
+        LUMI_TALLY(Work::flipped_pixel, kFlips ? span.length : 0);
         both.begin(scanlines);
         DoubleWord<uint8_t*> pixels = {scanlines.pixels(),
                                        scanlines.pixels() + static_cast<uint32_t>(span.length) * Pixel::kBytes};
@@ -82,6 +86,7 @@ bool can_follow_tile(const CellPiece<Background>& span)
 template <class Texel, class Pixel, class Background>
 void draw_nine_checked(const CheckedPiece<Background>& span)
 {
+    LUMI_TALLY(Work::checked_linear, span.length);
     using Sum = TexelSum<Texel, !Background::kIsBlack>;
     SideWalk origins(span.origins);
     SideWalk directions(span.directions);

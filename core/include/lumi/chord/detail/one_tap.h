@@ -79,6 +79,7 @@ struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw(CellPiece<Background>& span)
     {
+        LUMI_TALLY(Work::piece, 1);
         constexpr int32_t kBytes = static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat));
         const int32_t stride = static_cast<int32_t>(span.field.row_stride_bytes);
         const CellIndex rows(span.origins, 1);
@@ -88,6 +89,8 @@ struct SpanDraw<Nearest> {
         int32_t scanlines_left = span.scanlines();
         span.go_to_first();
         do {
+            LUMI_TALLY(Work::piece_line, 1);
+            LUMI_TALLY(nth_work(Work::pixel, static_cast<uint32_t>(Texel::kFormat)), span.length);
             int32_t uo = span.origins.u_q16 + kHalfCellQ16, vo = span.origins.v_q16 + kHalfCellQ16;
             int32_t ud = span.directions.u_q16 + kHalfCellQ16, vd = span.directions.v_q16 + kHalfCellQ16;
             const int32_t duo = settled(span.origins.du_q16), dvo = settled(span.origins.dv_q16);
@@ -108,6 +111,7 @@ struct SpanDraw<Nearest> {
     template <class Texel, class Pixel, class Background>
     static void draw_checked(const CheckedPiece<Background>& span)
     {
+        LUMI_TALLY(Work::checked_pixel, span.length);
         SideWalk origins(span.origins);
         SideWalk directions(span.directions);
         uint8_t* pixel = span.pixels;

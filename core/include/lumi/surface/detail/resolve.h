@@ -53,6 +53,7 @@ template <class Samples, class Background>
 Blended<typename Samples::Colour> blended(const Samples& s, const Mark& mark, int32_t x, const Background& background,
                                           const uint8_t* pixel)
 {
+    LUMI_TALLY(Work::marked, 1);
     if constexpr (kKeepsCoverage<Background>) {
         // Over nothing: where one of the two is empty, the other's colour with its share.
         const uint32_t covered = mark.covered();
@@ -233,6 +234,7 @@ template <class Pixel, class Background>
 __attribute__((noinline)) void store_mixed(uint8_t* pixel, const Background& background,
                                            const uint16_t* const (&depths)[2], const PackedColour* const (&colours)[2])
 {
+    LUMI_TALLY(Work::four_mixed, 1);
     const Rgb8 under = background.template under<Pixel>(pixel);
     uint32_t r = 2, g = 2, b = 2;
     for (int k = 0; k < 4; ++k) {
@@ -286,7 +288,9 @@ struct FourSamples : StripeSamples {
         const uint16_t *upper = target.depths(upper_row), *lower = target.depths(upper_row + 1);
         const PackedColour* above = target.template colours<PackedColour>(upper_row);
         const PackedColour* below = target.template colours<PackedColour>(upper_row + 1);
+        LUMI_TALLY(Work::four, covered.width_px);
         for (int32_t count = covered.width_px; count > 0; --count) {
+            LUMI_TALLY(Work::four_whole, upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0);
             if (upper[0] != 0 && upper[1] != 0 && lower[0] != 0 && lower[1] != 0)
                 store_colour<Pixel>(pixel, mean_of(above[0], above[1], below[0], below[1], kBlack));
             else if ((upper[0] | upper[1] | lower[0] | lower[1]) != 0)

@@ -133,6 +133,7 @@ void fill_colours(const StripeSamples& s, const Background& background)
     const int32_t width = s.target.width, height = s.target.height;
     for (int32_t y = 0; y < height; ++y) {
         PackedColour* const colours = s.target.template colours<PackedColour>(y);
+        LUMI_TALLY(Work::see_word, width);
         for (int32_t x = 0; x < width; ++x) colours[x] = under;
     }
     if constexpr (!Background::kFills) fill_from_stripe<Pixel>(s);
