@@ -168,7 +168,8 @@ public:
             choice_.warnings.emplace_back(
                 "the scene has no light, so it is black; give it a light, such as --sky studio");
         choice_.exposure = stated_.exposure.value_or(1);
-        const bool in_any_unit = choice_.environment.picture || !stated_.fixtures.empty() || (dark_sky && shines_);
+        const bool in_any_unit = (choice_.environment.picture && choice_.environment.needs_exposure) ||
+                                 !stated_.fixtures.empty() || (dark_sky && shines_);
         if (!stated_.exposure && in_any_unit) choose_exposure();
         return std::move(choice_);
     }

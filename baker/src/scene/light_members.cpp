@@ -105,6 +105,13 @@ Environment read_gradient(JsonMembers& members)
     return {to_array(zenith), to_array(horizon), to_array(nadir)};
 }
 
+Environment read_named(JsonMembers& members)
+{
+    Environment environment = *named_environment(kSkyNames[members.choice("sky", kSkyNames, 0)]);
+    members.number("rotate", kAngle, environment.rotation_degrees);
+    return environment;
+}
+
 Environment read_picture(const std::filesystem::path& file, JsonMembers& members, std::vector<std::string>& warnings)
 {
     const JsonValue& name = members.require("picture");
@@ -143,15 +150,15 @@ Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up)
 Environment read_environment(const std::filesystem::path& file, JsonMembers& scene, const JsonValue& value,
                              std::vector<std::string>& warnings)
 {
-    if (value.kind == JsonValue::Kind::text) {
-        const size_t named = scene.choice("environment", {"studio", "black"}, 0);
-        return named == 0 ? studio_environment() : constant_environment(0);
-    }
+    if (value.kind == JsonValue::Kind::text)
+        return *named_environment(kSkyNames[scene.choice("environment", kSkyNames, 0)]);
     if (value.kind != JsonValue::Kind::object)
         return constant_environment(to_array(scene.colour_of(value, "environment", kRadiance)));
     const std::string name = file.string();
     JsonMembers members(name, value, "the environment");
-    Environment environment = members.find("picture") ? read_picture(file, members, warnings) : read_gradient(members);
+    Environment environment = members.find("sky")       ? read_named(members)
+                              : members.find("picture") ? read_picture(file, members, warnings)
+                                                        : read_gradient(members);
     members.number("scale", kRadiance, environment.scale);
     members.finish();
     return environment;

@@ -238,23 +238,6 @@ Environment exposed(Environment environment, float exposure)
     return environment;
 }
 
-Environment constant_environment(float radiance)
-{
-    const std::array<float, 3> c = {radiance, radiance, radiance};
-    return {c, c, c};
-}
-
-Environment studio_environment()
-{
-    // Light from above weighs 1.2: a white of 0.8 facing up stays just below clipping.
-    return {{1.55f, 1.58f, 1.65f}, {0.5f, 0.5f, 0.52f}, {0.16f, 0.15f, 0.14f}};
-}
-
-Environment constant_environment(const std::array<float, 3>& radiance)
-{
-    return {radiance, radiance, radiance};
-}
-
 SceneData::SceneData(SceneParts parts, const LoadOptions& options)
     : centre(),
       radius(),

@@ -19,7 +19,7 @@ using testing::ScratchFolder;
 
 Scene small_scene()
 {
-    return testing::ball_over_floor(8, studio_environment());
+    return testing::ball_over_floor(8, gradient_environment());
 }
 
 BakeSettings small_settings(TexelFormat texel)

@@ -24,7 +24,7 @@ size_t sky_bin(const Vec3& d)
 }
 
 const Environment kSkies[] = {constant_environment(1),
-                              studio_environment(),
+                              gradient_environment(),
                               {{5, 5, 5}, {0, 0, 0}, {0, 0, 0}},
                               {{0, 0, 0}, {1, 2, 3}, {0, 0, 0}}};
 
@@ -68,7 +68,7 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
     maker.quad(bright, {0.3f, -0.2f, 0.5f}, {0.3f, 0.2f, 0.6f}, {-0.2f, 0.3f, 0.6f}, {-0.2f, -0.2f, 0.4f});
     maker.quad(dim, {-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, 0.5f}, {-0.5f, -0.5f, 0.5f});
     maker.span_unit_sphere();
-    const Scene scene = maker.make(studio_environment());
+    const Scene scene = maker.make(gradient_environment());
     const SceneData& data = scene.data();
     const Vec3 point = {0.1f, 0.05f, -0.1f};
 

@@ -100,7 +100,7 @@ TEST_CASE("maps: map_d cuts out, for the eye and for light")
 TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
 {
     const Scene scene = square("Kd 1 1 1\nPr 1\nPm 0.5\nmap_Pr t.png\nmap_Pm t.png\n", {255, 255, 255, 51, 51, 51},
-                               studio_environment());
+                               gradient_environment());
     CHECK(static_cast<double>(point_below(scene, 0.5f).values.roughness) == Approx(0.2));
     CHECK(static_cast<double>(point_below(scene, 0.5f).values.metalness) == Approx(0.1));
     CHECK(static_cast<double>(point_below(scene, -0.5f).values.metalness) == Approx(0.5));
@@ -114,14 +114,14 @@ TEST_CASE("maps: map_Pr and map_Pm multiply their numbers, read as plain bytes")
 TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stands alone")
 {
     const Scene scene = square("Kd 1 1 1\nPr 0.5\nPs 0.5\nmap_Ps t.png\naniso 0.6\nanisor 0.25\n",
-                               {255, 255, 255, 51, 51, 51}, studio_environment());
+                               {255, 255, 255, 51, 51, 51}, gradient_environment());
     const HitPoint left = point_below(scene, -0.5f), right = point_below(scene, 0.5f);
     CHECK(left.material->anisotropy == 0.6f);
     CHECK(left.material->anisotropy_turns == 0.25f);
     CHECK(left.material->brushed());
     CHECK(static_cast<double>(left.values.sheen) == Approx(0.5 / 6));
     CHECK(static_cast<double>(right.values.sheen) == Approx(0.1 / 6));
-    const Scene alone = square("Kd 0 0 0\nmap_Ps t.png\n", {255, 255, 255, 0, 0, 0}, studio_environment());
+    const Scene alone = square("Kd 0 0 0\nmap_Ps t.png\n", {255, 255, 255, 0, 0, 0}, gradient_environment());
     CHECK(static_cast<double>(point_below(alone, -0.5f).values.sheen) == Approx(1.0 / 6));
     const HitPoint bald = point_below(alone, 0.5f);
     const float sent = bald.material->bsdf(bald.values, 0).eval({0, 0.6f, 0.8f}, {0, 0.8f, 0.6f}).g;
@@ -130,7 +130,7 @@ TEST_CASE("maps: Ps, aniso and anisor are read, and map_Ps multiplies Ps or stan
 
 TEST_CASE("maps: a normal map bends towards u and v on either side, a flat one not at all")
 {
-    const Scene scene = square("Kd 1 1 1\nnorm t.png\n", {128, 128, 255, 218, 128, 218}, studio_environment());
+    const Scene scene = square("Kd 1 1 1\nnorm t.png\n", {128, 128, 255, 218, 128, 218}, gradient_environment());
     CHECK(static_cast<double>(point_below(scene, -0.5f).frame.normal.z) == Approx(1).epsilon(1e-3));
     const Vec3 bent = point_below(scene, 0.5f).frame.normal;
     CHECK(static_cast<double>(bent.x) == Approx(std::sqrt(0.5)).epsilon(0.01));
@@ -159,7 +159,7 @@ TEST_CASE("maps: MTL's scale and offset move a picture, with as many numbers as 
     for (const char* options : {"-s 0.25 1 1 -o 0.5 0 0", "-s 0.25 -o 0.5", "-clamp off -s 0.25 1 -mm 0 1 -o 0.5 0"}) {
         CAPTURE(options);
         const Scene scene = square("Kd 1 1 1\nmap_Kd " + std::string(options) + " t.png\n", {255, 0, 0, 0, 255, 0},
-                                   studio_environment());
+                                   gradient_environment());
         // u runs from 0.5 to 0.75: the right pixel's left half.
         CHECK(point_below(scene, 0.98f).values.base.g > 0.95f);
         CHECK(point_below(scene, -0.98f).values.base.g == Approx(0.5).margin(0.05));

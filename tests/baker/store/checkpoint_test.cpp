@@ -194,7 +194,7 @@ TEST_CASE("checkpoint: anisotropy and sheen enter the identity by every number, 
         m.finish();
         testing::SceneMaker maker;
         maker.ball(maker.add(m), {}, 0.5f, 4);
-        return scene_fingerprint(maker.make(studio_environment()).data());
+        return scene_fingerprint(maker.make(gradient_environment()).data());
     };
     std::vector<Digest::Value> seen;
     for (const auto number : {&Material::alpha, &Material::anisotropy, &Material::anisotropy_turns, &Material::sheen,
@@ -218,7 +218,7 @@ TEST_CASE("checkpoint: lights and skies enter the identity by every number, howe
         maker.add(fixture);
         return scene_fingerprint(maker.make(sky).data());
     };
-    const Environment sky = studio_environment();
+    const Environment sky = gradient_environment();
     const SpotLight spot = {{0, 0, 2}, {0, 0, -1}, 0.9f, 0.8f, {3, 2, 1}};
     std::vector<Digest::Value> seen = {fingerprint(spot, sky)};
     CHECK(fingerprint(spot, sky) == seen[0]);

@@ -56,7 +56,7 @@ TEST_CASE("agreement: the path tracer agrees with brute force under a gradient s
     SceneMaker maker;
     add_room(maker);
     maker.ball(maker.add(testing::metal({0.9f, 0.7f, 0.3f}, 0.05f)), {0, 0, -0.2f}, 0.25f, 8);
-    check_integrators_agree(maker.make(studio_environment()), 3000);
+    check_integrators_agree(maker.make(gradient_environment()), 3000);
 }
 
 TEST_CASE("agreement: the path tracer agrees with brute force through a thin pane and with partly metallic paint")
@@ -70,7 +70,7 @@ TEST_CASE("agreement: the path tracer agrees with brute force through a thin pan
     Material paint = testing::metal({0.8f, 0.2f, 0.1f}, 0.3f);
     paint.metalness = 0.5f;
     maker.ball(maker.add(paint), {0, 0, -0.2f}, 0.25f, 8);
-    check_integrators_agree(maker.make(studio_environment()), 3000);
+    check_integrators_agree(maker.make(gradient_environment()), 3000);
 }
 
 TEST_CASE("agreement: the path tracer agrees with brute force through clear, tinted and frosted glass and under coats")
@@ -85,7 +85,7 @@ TEST_CASE("agreement: the path tracer agrees with brute force through clear, tin
         paint.coat_alpha = 0.1f;
         paint.finish();
         maker.ball(maker.add(paint), {0, 0.3f, -0.35f}, 0.15f, 8);
-        check_integrators_agree(maker.make(studio_environment()), 3000);
+        check_integrators_agree(maker.make(gradient_environment()), 3000);
     }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("agreement: the path tracer agrees with brute force in smoke around a 
     maker.ball(maker.add(testing::metal({0.9f, 0.7f, 0.3f}, 0.2f)), {0, 0, -0.2f}, 0.25f, 8);
     maker.add(SphereLight{{0.1f, -0.1f, 0.3f}, 0.1f, {8, 6, 4}});
     maker.fill(testing::smoke());
-    check_integrators_agree(maker.make(studio_environment()), 3000);
+    check_integrators_agree(maker.make(gradient_environment()), 3000);
 }
 
 TEST_CASE("agreement: the path tracer agrees with brute force on brushed metal and paint and on cloth")
@@ -122,7 +122,7 @@ TEST_CASE("agreement: the path tracer agrees with brute force on brushed metal a
     cloth.coat = 1;
     cloth.finish();
     maker.quad(maker.add(cloth), {-0.5f, -0.4f, -0.5f}, {-0.5f, -0.4f, 0}, {0, -0.45f, 0}, {0, -0.45f, -0.5f});
-    check_integrators_agree(maker.make(studio_environment()), 4000);
+    check_integrators_agree(maker.make(gradient_environment()), 4000);
 }
 
 TEST_CASE(

@@ -89,7 +89,7 @@ TEST_CASE("reference: the same pixels for any number of threads, others for anot
 {
     testing::SceneMaker maker;
     maker.ball(maker.add(testing::glossy({0.6f, 0.2f, 0.1f}, 0.3f)), {}, 1, 8);
-    const Scene scene = maker.make(studio_environment());
+    const Scene scene = maker.make(gradient_environment());
     const Camera camera = camera_at(10, 20, 3, 45, 24, 16);
     const RgbaImage one = render_reference(scene, camera, {2, 1, 1});
     CHECK(render_reference(scene, camera, {2, 1, 2}).rgba == one.rgba);
@@ -101,7 +101,7 @@ TEST_CASE("reference: no samples is an error, a callback that returns false canc
 {
     testing::SceneMaker maker;
     maker.ball(maker.add(testing::diffuse(grey(0.5f))), {}, 1, 8);
-    const Scene scene = maker.make(studio_environment());
+    const Scene scene = maker.make(gradient_environment());
     const Camera camera = camera_at(10, 20, 3, 45, 8, 8);
     CHECK_THROWS_AS(render_reference(scene, camera, {0, 1, 1}), BakeError);
     CHECK_THROWS_AS(render_reference(scene, camera, {1, 1, 1}, [](const Progress&) { return false; }), Cancelled);

@@ -232,7 +232,7 @@ TEST_CASE("path tracer: the error falls as one over the root of the number of sa
     SceneMaker maker;
     add_room(maker);
     maker.ball(maker.add(testing::glossy({0.2f, 0.4f, 0.6f}, 0.2f)), {0.2f, 0, -0.3f}, 0.2f, 8);
-    const Scene scene = maker.make(studio_environment());
+    const Scene scene = maker.make(gradient_environment());
     const PathTracer tracer(scene.data());
     const Vec3 start = {0.1f, -1.2f, 0.2f};
     const Ray ray = {start, normalized(Vec3{0.1f, 0.2f, -0.5f} - start)};

@@ -74,14 +74,29 @@ TEST_CASE("sky: --sky counts more than the scene file, which counts more than th
     CHECK(picture({"--sky", "0.7"}) == lit_by("0.7").rgb);
 }
 
+TEST_CASE("sky: named ones turn, by the option as in a scene file, and nobody asks for their exposure")
+{
+    const test::TemporaryFolder folder;
+    test::write_content(folder / "s.json", std::string(R"({"objects": [{"obj": ")") + LUMI_TEST_SCENE +
+                                               R"("}], "environment": {"sky": "evening", "rotate": 90}})");
+    const Outcome outcome = done(lumi({"reference", folder / "s.json", "-o", folder / "p.png", "--size", "24x24",
+                                       "--spp", "16", "--background", "ff00ff"}));
+    CHECK_THAT(outcome.err, !Catch::Contains("exposure"));
+    CHECK(read_png(folder / "p.png").rgb == lit_by("evening@90").rgb);
+    CHECK(lit_by("evening@90").rgb != lit_by("evening").rgb);
+    CHECK(lit_by("gradient@90").rgb == lit_by("gradient").rgb);
+}
+
 TEST_CASE("sky: one that cannot be is a wrong call that says what can")
 {
     const test::TemporaryFolder folder;
-    for (const char* word : {"red", "-1", "1,2", "1,2,3,4", "1,,2", "1,2,", "nan", "inf", "1e12", "0.5x", "studio,1"}) {
+    for (const char* word : {"red", "-1", "1,2", "1,2,3,4", "1,,2", "1,2,", "nan", "inf", "1e12", "0.5x", "studio,1",
+                             "studio@", "studio@x", "studio@400", "night@3"}) {
         INFO(word);
         check_refused(reference(folder / "p.png", {"--sky", word}), 2,
                       Catch::Contains("--sky") &&
-                          Catch::Contains("takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture"));
+                          Catch::Contains("takes studio, gradient, overcast, evening or black") &&
+                          Catch::Contains("a colour such as 0.8 or 1,0.9,0.7, or a picture"));
     }
     CHECK(folder.entries() == 0);
 }

@@ -40,15 +40,25 @@ bool is_picture_name(const std::string& word)
     return ending == ".hdr" || ending == ".exr";
 }
 
+// NAME, or NAME@DEGREES.
+std::optional<baker::Environment> named_sky(const std::string& word)
+{
+    const size_t at = std::min(word.find('@'), word.size());
+    std::optional<baker::Environment> sky = baker::named_environment(word.substr(0, at));
+    if (!sky || at == word.size()) return sky;
+    if (!number(-360, 360)(word.substr(at + 1)).empty()) return std::nullopt;
+    sky->rotation_degrees = std::stof(word.substr(at + 1));
+    return sky;
+}
+
 baker::Environment sky_of(const std::string& word)
 {
-    if (word == "studio") return baker::studio_environment();
-    if (word == "black") return baker::constant_environment(0);
+    if (const auto named = named_sky(word)) return *named;
     const auto colour = colour_of(word);
     if (!colour)
         throw CLI::ValidationError("--sky",
-                                   "takes studio, black, a colour such as 0.8 or 1,0.9,0.7, or a picture (.hdr or "
-                                   ".exr), not \"" +
+                                   "takes studio, gradient, overcast, evening or black, also with @DEGREES, a colour "
+                                   "such as 0.8 or 1,0.9,0.7, or a picture (.hdr or .exr), not \"" +
                                        word + "\"");
     return baker::constant_environment(*colour);
 }
@@ -90,10 +100,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
     command
         .add_option_function<std::string>(
             "--sky", [&options](const std::string& word) { set_sky(word, options); },
-            "Light from far away: studio, black, a colour of linear radiance such as 0.8 or 1,0.9,0.7, or a "
-            "latitude-longitude picture (.hdr, .exr) [as the scene file says, or studio for what has no light of its "
-            "own]")
-        ->type_name("studio|black|COLOUR|FILE");
+            "Light from far away: studio, gradient, overcast, evening or black, turned with @DEGREES; a colour of "
+            "linear radiance such as 0.8 or 1,0.9,0.7; or a latitude-longitude picture (.hdr, .exr) [as the scene file "
+            "says, or studio for what has no light of its own]")
+        ->type_name("NAME|COLOUR|FILE");
     command
         .add_option("--exposure", options.exposure_stops,
                     "All light is multiplied by 2 to this power, from -20 to 20; equal for bake, reference and report "

@@ -37,12 +37,18 @@ struct Environment {
     std::shared_ptr<const RadiancePicture> picture = nullptr;  // in place of the three colours
     float rotation_degrees = 0;  // how far the picture is turned, counterclockwise as seen from above
     float scale = 1;             // factor on all radiance
+    bool needs_exposure = true;  // a picture that may have any unit
 };
 
 Environment constant_environment(float radiance);
 Environment constant_environment(const std::array<float, 3>& radiance);
 // This is a bright, slightly cool sky over a dimmer, warm floor.
-Environment studio_environment();
+Environment gradient_environment();
+Environment studio_environment();  // lights what has no light of its own
+
+// Skies that have names. All but black send the same light to a white ball.
+inline const std::vector<std::string> kSkyNames = {"studio", "gradient", "overcast", "evening", "black"};
+std::optional<Environment> named_environment(const std::string& name);
 
 // A latitude-longitude map in a Radiance .hdr or an OpenEXR file, as docs/scenes.md says. Throws SceneError; appends to
 // `warnings`.
