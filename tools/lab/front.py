@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""front.py [--work FOLDER] [--paths N] [--sizes LIST] SCENE...
+"""front.py [--work FOLDER] [--paths N] [--sizes LIST] [--for LIST] SCENE...
 
 Measures dB against bytes: bakes each scene with --fill at each size, and once as a bake without options chooses. Prints a
 row of JSON a field, with PSNR in each mode of 12 views that no bake aimed at; all fields of a scene share the references.
+With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates, and sets the best
+picture that it shows at the rate beside the best of the sizes that keep it, by the modelled rates of `lumi inspect`.
 Fields and references stay in FOLDER [build/front], and what is there is not made again. The documents' rows:
     tools/lab/front.py SCENE... | tools/lab/pages.py put front rows
 """
@@ -34,18 +36,45 @@ def baked(scene, name, options, field):
     return float(told.read_text())
 
 
+def rates(field, chip):
+    """Modelled frames a second, by mode."""
+    told = json.loads(bench.lumi("inspect", field, "--json", "--for", chip))["frames_per_second"]
+    return {mode: round(of[chip], 2) for mode, of in told.items()}
+
+
+def best(rows, rate):
+    """The most dB that some field and mode show at a rate, and which."""
+    shown = [(row["psnr_db"][mode], row["asked"], mode) for row in rows for mode in row["psnr_db"] if row["fps"][mode] >= rate]
+    return max(shown) if shown else (None, None, None)
+
+
+def beside(found, paces):
+    """For each rate the field that was planned for it beside those of a size."""
+    of_size = [row for row in found if "@" not in row["asked"]]
+    for pace in paces:
+        rate = float(pace.partition("@")[2].removesuffix("fps"))
+        planned, _, mode = best([row for row in found if row["asked"] == pace], 0.98 * rate)
+        size_db, size, size_mode = best(of_size, rate)
+        yield {"scene": found[0]["scene"], "for": pace, "db": planned, "mode": mode, "size_db": size_db, "size": size, "size_mode": size_mode}
+
+
 def rows(scene, options):
-    wanted = {"default": [], **{size: ["--fit", size, "--fill"] for size in options.sizes.split(",")}}
+    paces = options.paces.split(",") if options.paces else []
+    wanted = {"default": [], **{size: ["--fit", size, "--fill"] for size in options.sizes.split(",")}, **{pace: ["--for", pace] for pace in paces}}
     folder = options.work / scene.parent.name
     folder.mkdir(parents=True, exist_ok=True)
     fields = {name: folder / f"{scene.stem}-{name}-{options.paths}.lumi" for name in wanted}
     seconds = {name: baked(scene, name, [*wanted[name], "--paths", options.paths], field) for name, field in fields.items()}
     told = json.loads(bench.lumi("report", scene, *fields.values(), "--json", "--spp", "128", "--cache", options.work / "cache"))
+    found = []
     for name, field in fields.items():
         modes = {MODES.get(row["layout"], "2x2"): round(row["psnr_db"], 2)
                  for row in told["fields"] + told["variants"] if row["name"] == str(field)}
-        yield {"scene": scene.stem, "asked": name, "bytes": field.stat().st_size, "paths": options.paths,
-               "seconds": seconds[name], "psnr_db": modes}
+        found.append({"scene": scene.stem, "asked": name, "bytes": field.stat().st_size, "paths": options.paths,
+                      "seconds": seconds[name], "psnr_db": modes})
+        if paces:
+            found[-1]["fps"] = rates(field, paces[0].partition("@")[0])
+    yield from [*found, *beside(found, paces)]
 
 
 def main():
@@ -53,6 +82,7 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=bench.ROOT / "build/front", help="[build/front]")
     parser.add_argument("--paths", type=int, default=20, help="light paths a texel [20]")
     parser.add_argument("--sizes", default="120kB,250kB,500kB,750kB", help="[120kB,250kB,500kB,750kB]")
+    parser.add_argument("--for", dest="paces", help="paces of one part, such as rp2040@10fps,rp2040@15fps")
     parser.add_argument("scenes", nargs="+", type=pathlib.Path, metavar="SCENE")
     options = parser.parse_args()
     try:

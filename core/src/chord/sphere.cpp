@@ -165,7 +165,6 @@ Extent covered_extent(const Camera& camera, int32_t y, int32_t x_begin, int32_t 
     const Extent empty = {x_begin, x_begin};
     const Extent limits = {x_begin > 0 ? x_begin : 0, x_end < camera.width_px() ? x_end : camera.width_px()};
     if (y < 0 || y >= camera.height_px() || limits.begin >= limits.end) return empty;
-    LUMI_TALLY(Work::extent, 1);
     const int32_t inside = find_covered(camera, y, limits);
     if (inside == limits.end) return empty;
     const int32_t first = border(camera, y, inside, limits.begin - 1);

@@ -40,7 +40,6 @@ ChordStepper::ChordStepper(const Field& field, const Camera& camera, const Strip
       end_y_(stripe.bottom_px()),
       tile_scanlines_{0, 0, stripe.stride_bytes, front_tile_.down(), back_tile_.down()}
 {
-    LUMI_TALLY(Work::chord_stripe, 1);
 }
 
 bool ChordStepper::next(Piece& piece)
@@ -91,7 +90,6 @@ bool ChordStepper::next(Piece& piece)
 bool ChordStepper::begin_band()
 {
     if (next_y_ >= end_y_) return false;
-    LUMI_TALLY(Work::band, 1);
     y_ = next_y_;
     const int32_t last = y_ | (kTileHeight - 1);
     next_y_ = last < end_y_ - 1 ? last + 1 : end_y_;

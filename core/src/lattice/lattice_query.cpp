@@ -35,7 +35,6 @@ int zone_of(const Query& q)
 
 Query make_query(const Lattice& lattice, const Vec3q30& d)
 {
-    LUMI_TALLY(Work::query, 1);
     const uint32_t longitude = angle_turns32(d.y, d.x);
     const int32_t z = clamp_q30(d.z);
     if (z >= 0) return {longitude, lattice.index_at_q10(z), z, false};

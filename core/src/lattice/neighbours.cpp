@@ -118,7 +118,6 @@ uint32_t kernel_points(const Lattice& lattice, const Vec3q30& direction, uint32_
 
 void kernel_weights(const Lattice& lattice, const Neighbour* near, uint32_t count, uint32_t* weight_q12)
 {
-    LUMI_TALLY(Work::kernel, 1);
     const uint32_t radius2 = lattice.spacing2();
     uint32_t weight[kMaxNeighbours];
     uint32_t sum = 0;

@@ -230,7 +230,6 @@ Triangle cell_triangle(const Lattice& lattice, const Query& q)
     constexpr int32_t kOne = static_cast<int32_t>(kWeightOneQ12);
     const Cell cell = cell_of(q);
     const int32_t corner = cell.first * (cell.u_q12 >> 12) + cell.second * (cell.v_q12 >> 12);
-    LUMI_TALLY(Work::cell, 1);
     const CellTriangle t =
         CellTriangle::of(cell.u_q12 & (kOne - 1), cell.v_q12 & (kOne - 1), kOne, !is_obtuse(lattice, cell, corner));
     Triangle result;

@@ -62,7 +62,6 @@ void put_see_through(SurfaceFrame& frame)
 {
     frame.see_through_triangles = 0;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
-    LUMI_TALLY(Work::see_frame, frame.field.see_through_count != 0);
     LUMI_TALLY(Work::see_triangle, 2 * frame.field.see_through_count);
     const uint32_t first = 2 * frame.field.patch_count, end = first + 2 * frame.field.see_through_count;
     uint32_t* const order = frame.memory.features;

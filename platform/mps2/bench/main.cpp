@@ -2,7 +2,9 @@
 // Counts what the linked renderer costs, one line per view and span:
 //     view generic span 16 covered 42272 instructions 2345678 setup 345678 stack 600 crc 1234abcd
 // The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then
-// the spans to draw with, pixels (none: 0).
+// the spans to draw with, pixels (none: 0). With `poses` FIRST END in place of views, a line for each of these poses
+// and each span:
+//     pose 17 span 8 covered 42272 instructions 2345678 crc 1234abcd
 #include <cstdlib>
 #include <cstring>
 
@@ -83,6 +85,27 @@ void report_all(const Field& field, const Words& words)
         report_views(field, names, static_cast<int32_t>(std::strtol(*span, nullptr, 10)));
 }
 
+void report_pose(uint32_t number, const Field& field, int32_t span_px)
+{
+    const PosedView view = posed_view(number);
+    Camera camera;
+    if (make_camera(view.pose, view.image, camera) != CameraError::none) return;
+    TextLine line;
+    line.text("pose ").decimal(number).text(" span ").decimal(static_cast<uint32_t>(span_px));
+    line.text(" covered ").decimal(covered_pixels(camera)).text(" instructions ");
+    line.decimal(count_frame(draw, field, camera, span_px));
+    mps2::write(line.text(" crc ").hex32(detail::crc32(0, frame, sizeof(frame))).text("\n").c_str());
+}
+
+// The first pose, the one after the last, and spans.
+void report_poses(const Field& field, const Words& words)
+{
+    const auto number = [](const char* word) { return static_cast<uint32_t>(std::strtol(word, nullptr, 10)); };
+    for (const char* const* span = words.begin + 2; span != words.end; ++span)
+        for (uint32_t k = number(words.begin[0]); k < number(words.begin[1]); ++k)
+            report_pose(k, field, static_cast<int32_t>(number(*span)));
+}
+
 }  // namespace
 }  // namespace lumi::bench
 
@@ -92,6 +115,10 @@ int main(int argc, char** argv)
     Field field;
     if (!bench::open_loaded(open_field, field)) return 1;
     mps2::start_instruction_counter();
-    bench::report_all(field, bench::words_of(argc, argv));
+    const bench::Words words = bench::words_of(argc, argv);
+    if (words.end - words.begin > 2 && std::strcmp(*words.begin, "poses") == 0)
+        bench::report_poses(field, {words.begin + 1, words.end});
+    else
+        bench::report_all(field, words);
     return 0;
 }

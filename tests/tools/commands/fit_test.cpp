@@ -45,7 +45,8 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--fit", "1MB", "--shard", "1/2"}, "--shard does not go with --fit"},
         {{"--fit", "1MB", "--layout", "chord", "--triangles", "64"}, "--layout chord"},
         {{"--plan", folder / "plan.json"}, "belongs to --fit"},
-        {{"--for", "rp2040@30fps"}, "belongs to --fit"},
+        {{"--for", "rp2040@30fps", "--shard", "1/2"}, "--shard does not go with --for"},
+        {{"--for", "rp2040", "--plan-only"}, "belongs to --fit"},
         {{"--ram", "40kB"}, "belongs to --fit"},
         {{"--fit", "1MB", "--ram", "much"}, "--ram takes a size below 4 GB such as 40kB"},
     };
@@ -144,6 +145,23 @@ TEST_CASE("a pace names the mode that reaches it, of a chord field too")
     const test::Outcome outcome =
         done(lumi(fit(folder / "o.lumi", joined({"--fit", "20kB", "--for", "rp2350@2fps"}, kOriginsByHand))));
     CHECK_THAT(outcome.out, Catch::Contains("RP2350: ") && Catch::Contains(" frames a second at 240 x 240 pixels ("));
+}
+
+TEST_CASE("a surface field is planned for a rate: finely drawn for a low one, else faster, and its neighbours are told")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path());
+    const auto planned = [&](const std::string& pace) {
+        return done(lumi({"bake", scene, "-o", folder / "o.lumi", "--layout", "surface", "--fit", "15kB", "--for", pace,
+                          "--plan-only"}))
+            .out;
+    };
+    CHECK_THAT(planned("rp2040@1fps"), Catch::StartsWith("RP2040 at 1 frames a second: antialiased, ") &&
+                                           Catch::Contains("is faster: one-sample"));
+    CHECK_THAT(planned("rp2040@40fps"), Catch::StartsWith("RP2040 at 40 frames a second: one-sample, ") &&
+                                            Catch::Contains("shows more: antialiased"));
+    CHECK_THAT(planned("rp2040x2@10fps"),
+               Catch::StartsWith("RP2040, both cores, at 10 frames a second: ") && Catch::Contains("layout surface: "));
 }
 
 }  // namespace lumi::tools

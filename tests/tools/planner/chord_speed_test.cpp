@@ -89,7 +89,7 @@ double waiting_share(const char* part, const Field& field, Mode mode)
 TEST_CASE("the planner's instructions of a frame are what the bench counted, in other views too")
 {
     // docs/log/tradeoff.md has the worst errors.
-    constexpr double kError = 0.05;
+    constexpr double kError = 0.1;
     const Opened opened(1024, 2048, TexelFormat::rgb565);
     const std::tuple<const char*, Mode, int> drawn[] = {{"nearest", Mode::nearest, 16},
                                                         {"nearest", Mode::nearest, 8},
@@ -100,12 +100,30 @@ TEST_CASE("the planner's instructions of a frame are what the bench counted, in 
         Camera camera;
         REQUIRE(make_view_camera(view_of(view), camera) == CameraError::none);
         for (const auto& [name, mode, span_px] : drawn) {
-            const ChordWork work = frame_of(opened.field, mode, span_px, camera, {}).work;
+            const FrameWork work = frame_of(opened.field, mode, span_px, camera, 16).work;
             for (const char* core : {"m0plus", "m4"}) {
                 INFO(core << " " << name << " " << span_px << " " << view);
-                CHECK(chord_instructions(core, mode, opened.field, span_px, work) ==
-                      Approx(counted({core, view, name, span_px})).epsilon(kError));
+                CHECK(instructions_of(core, work) == Approx(counted({core, view, name, span_px})).epsilon(kError));
             }
+        }
+    }
+}
+
+TEST_CASE("core counts each covered pixel of a chord field once, and where its texels are")
+{
+    const Opened opened(300, 400);
+    for (const bench::View& view : bench::kViews) {
+        Camera camera;
+        REQUIRE(make_view_camera(view, camera) == CameraError::none);
+        const FrameWork exact = frame_of(opened.field, Mode::nearest, 0, camera, 16).work;
+        for (const int32_t span_px : {4, 8, 16}) {
+            const ChordFrame spans = frame_of(opened.field, Mode::nearest, span_px, camera, 16);
+            INFO(view.name << " " << span_px);
+            CHECK(spans.work[Work::pixel] + spans.work[Work::checked_pixel] == exact[Work::exact]);
+            CHECK(spans.work[Work::background] == exact[Work::background]);
+            CHECK(spans.work[Work::checked_pixel] > spans.work[Work::polar_side]);
+            CHECK(spans.reads.size() == exact[Work::exact]);
+            for (const Read& read : spans.reads) REQUIRE(read.address < 300 * opened.field.row_stride_bytes);
         }
     }
 }
@@ -134,7 +152,7 @@ TEST_CASE("exact pixels of fewer points cost less where all of them are looked a
 {
     const Opened few(8, 8), more(63, 63);
     for (const ChordMode& mode : chord_modes())
-        CHECK(rate_of("stm32f4", few.field, mode.mode) > 2 * rate_of("stm32f4", more.field, mode.mode));
+        CHECK(rate_of("stm32f4", few.field, mode.mode) > 1.8 * rate_of("stm32f4", more.field, mode.mode));
 }
 
 TEST_CASE("cheaper modes of a field are faster, on every part, and no mode is faster than the display")

@@ -30,7 +30,11 @@ TEST_CASE("a pace is a part, with or without a rate")
     REQUIRE(pace);
     CHECK(std::string(pace->chip->title) == "RP2040");
     CHECK(pace->frames_per_second == 12.5);
+    CHECK((pace->is_asked && pace->cores == 1));
     CHECK(parse_pace("esp32s3")->frames_per_second == kUsualPace);
+    CHECK_FALSE(parse_pace("esp32s3")->is_asked);
+    CHECK(parse_pace("rp2350x2@9fps")->cores == 2);
+    CHECK_FALSE(parse_pace("stm32f4x2@9fps"));  // has one
     for (const char* text : {"", "rp2040@", "rp2040@30", "rp2040@fps", "@30fps", "z80@30fps", "rp2040@0fps",
                              "rp2040@-1fps", "rp2040@nanfps", "rp2040@30fpsx", "rp2040@3 fps", "rp2040@infs"})
         CHECK_FALSE(parse_pace(text));

@@ -30,9 +30,22 @@ tools::Eye eye_at(double azimuth, double elevation, double distance)
     return eye;
 }
 
-double samples_of(const SurfaceWork& work)
+// Of opaque triangles.
+double samples_of(const FrameWork& work)
 {
-    return work[SurfaceItem::sample] + work[SurfaceItem::magnified_sample];
+    return static_cast<double>(work[Work::sample] + work[Work::two_taps_sample] + work[Work::packed_sample] +
+                               work[Work::bilinear_sample]);
+}
+
+double shown_of(const FrameWork& work)
+{
+    return static_cast<double>(work[Work::shown] + work[Work::two_taps_shown] + work[Work::packed_shown] +
+                               work[Work::bilinear_shown]);
+}
+
+double begun(const FrameWork& work)
+{
+    return static_cast<double>(work[Work::begun]);
 }
 
 }  // namespace
@@ -40,30 +53,32 @@ double samples_of(const SurfaceWork& work)
 TEST_CASE("a frame of a cube takes what its faces show")
 {
     const SurfaceField field = opened();
-    const SurfaceWork front = work_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16);
+    const FrameWork front = work_of(field, eye_at(0, 0, 3), SurfaceMode::one_sample, 16).frame;
     // The sphere's radius is √3 of the half edge: the front face lies 3 - 1/√3 away and is 2/√3 wide.
     const double focal = 120 / std::tan(21 * 3.14159265 / 180), side = focal * 1.1547 / (3 - 0.57735);
-    CHECK(front[SurfaceItem::sample] == Approx(side * side).epsilon(0.05));
-    CHECK(front[SurfaceItem::listed] == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
-    const SurfaceWork corner = work_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample, 16);
-    CHECK(corner[SurfaceItem::listed] > 2.7 * front[SurfaceItem::listed]);
-    const SurfaceWork fine = work_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two, 16);
+    CHECK(samples_of(front) == Approx(side * side).epsilon(0.05));
+    const auto listed = [](const FrameWork& work) { return static_cast<double>(work[Work::listed]); };
+    CHECK(listed(front) == Approx(tools::test::small_surface().triangles / 6.0).epsilon(0.1));
+    const FrameWork corner = work_of(field, eye_at(45, 35, 3), SurfaceMode::one_sample, 16).frame;
+    CHECK(listed(corner) > 2.7 * listed(front));
+    const FrameWork fine = work_of(field, eye_at(45, 35, 3), SurfaceMode::two_by_two, 16).frame;
     CHECK(samples_of(fine) == Approx(4 * samples_of(corner)).epsilon(0.01));
-    CHECK(fine[SurfaceItem::begun] + fine[SurfaceItem::parts] >= corner[SurfaceItem::begun]);
+    CHECK(begun(fine) >= begun(corner));
 }
 
 TEST_CASE("nothing hides behind a convex body, and what is drawn has rows and samples")
 {
     for (const SurfaceMode mode : kModes) {
-        const SurfaceWork work = work_of(opened(), eye_at(30, 20, 3), mode, 16);
-        CHECK(work[SurfaceItem::shown] == work[SurfaceItem::sample]);
-        CHECK(work[SurfaceItem::magnified_shown] == work[SurfaceItem::magnified_sample]);
-        CHECK(work[SurfaceItem::filled] <= work[SurfaceItem::row]);
-        CHECK(work[SurfaceItem::begun] <= work[SurfaceItem::boxed]);
-        CHECK(work[SurfaceItem::boxed] <= work[SurfaceItem::visited]);
-        CHECK((work[SurfaceItem::marked] > 0) == (mode == SurfaceMode::antialiased));
-        CHECK((work[SurfaceItem::whole_px] > 0) == (mode == SurfaceMode::two_by_two));
-        CHECK(work[SurfaceItem::stripe] == 15);
+        const FrameWork work = work_of(opened(), eye_at(30, 20, 3), mode, 16).frame;
+        CHECK(shown_of(work) == samples_of(work));
+        CHECK(work[Work::filled] <= work[Work::row]);
+        CHECK(work[Work::begun] <= work[Work::boxed] + work[Work::split_part]);
+        CHECK(work[Work::boxed] <= work[Work::offered]);
+        CHECK(work[Work::offered] <= work[Work::link]);
+        CHECK((work[Work::marked] > 0) == (mode == SurfaceMode::antialiased));
+        CHECK((work[Work::four_whole] > 0) == (mode == SurfaceMode::two_by_two));
+        CHECK(work[Work::frame] == 1);
+        CHECK(work[Work::stripe] <= 15);  // those that show something
     }
 }
 
@@ -73,9 +88,9 @@ TEST_CASE("modes of surface fields cost more from one sample to four, and nearer
     for (const char* core : {"m4", "m0plus"}) {
         double before = 0;
         for (const SurfaceMode mode : kModes) {
-            const double cost = surface_instructions(core, mode, work_of(field, eye_at(45, 35, 3), mode, 16));
+            const double cost = instructions_of(core, work_of(field, eye_at(45, 35, 3), mode, 16).frame);
             CHECK(cost > before);
-            CHECK(cost > surface_instructions(core, mode, work_of(field, eye_at(45, 35, 6), mode, 16)));
+            CHECK(cost > instructions_of(core, work_of(field, eye_at(45, 35, 6), mode, 16).frame));
             before = cost;
         }
     }
@@ -86,15 +101,14 @@ TEST_CASE("lower stripes set up more triangles, and more scanlines twice where o
     const SurfaceField field = opened();
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
-        const SurfaceWork low = work_of(field, eye, mode, 4), usual = work_of(field, eye, mode, 16),
-                          whole = work_of(field, eye, mode, 240);
-        CHECK(low[SurfaceItem::begun] > 1.2 * usual[SurfaceItem::begun]);
-        CHECK(usual[SurfaceItem::begun] > whole[SurfaceItem::begun]);
+        const FrameWork low = work_of(field, eye, mode, 4).frame, usual = work_of(field, eye, mode, 16).frame,
+                        whole = work_of(field, eye, mode, 240).frame;
+        CHECK(begun(low) > 1.2 * begun(usual));
+        CHECK(begun(usual) > begun(whole));
         const double twice = mode == SurfaceMode::antialiased ? (1 + 2.0 / 4) / (1 + 2.0 / 16) : 1;
         CHECK(samples_of(low) == Approx(twice * samples_of(usual)).epsilon(0.02));
-        CHECK((low[SurfaceItem::line] > usual[SurfaceItem::line]) == (mode == SurfaceMode::antialiased));
-        for (const char* core : {"m4", "m0plus"})
-            CHECK(surface_instructions(core, mode, low) > surface_instructions(core, mode, usual));
+        CHECK((low[Work::line] > usual[Work::line]) == (mode == SurfaceMode::antialiased));
+        for (const char* core : {"m4", "m0plus"}) CHECK(instructions_of(core, low) > instructions_of(core, usual));
     }
 }
 
@@ -126,13 +140,14 @@ TEST_CASE("see-through triangles cost more than the same ones opaque, and slow e
     glass.see_through_count = static_cast<uint16_t>(opaque.patch_count - half.patch_count);
     const tools::Eye eye = eye_at(45, 35, 3);
     for (const SurfaceMode mode : kModes) {
-        const SurfaceWork whole = work_of(opaque, eye, mode, 16), with_glass = work_of(glass, eye, mode, 16);
-        const double of_glass = with_glass[SurfaceItem::see_sample] + with_glass[SurfaceItem::see_magnified_sample];
+        const FrameWork whole = work_of(opaque, eye, mode, 16).frame, with_glass = work_of(glass, eye, mode, 16).frame;
+        const auto of_glass = static_cast<double>(with_glass[Work::see_sample] + with_glass[Work::see_two_taps_sample] +
+                                                  with_glass[Work::see_bilinear_sample]);
         CHECK(of_glass > 0);
         CHECK(samples_of(with_glass) + of_glass == Approx(samples_of(whole)));
-        CHECK(with_glass[SurfaceItem::listed] + with_glass[SurfaceItem::ordered] == whole[SurfaceItem::listed]);
+        CHECK(with_glass[Work::listed] + with_glass[Work::ordered] == whole[Work::listed]);
         for (const char* core : {"m4", "m0plus"})
-            CHECK(surface_instructions(core, mode, with_glass) > surface_instructions(core, mode, whole));
+            CHECK(instructions_of(core, with_glass) > instructions_of(core, whole));
     }
     const std::vector<PartRate> slow = surface_rates(glass, SurfaceMode::antialiased),
                                 fast = surface_rates(half, SurfaceMode::antialiased);

@@ -8,6 +8,7 @@
 #include "commands/commands.h"
 #include "commands/device_figures.h"
 #include "commands/layout_trial.h"
+#include "commands/pace_plan.h"
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
@@ -147,11 +148,24 @@ private:
         if (!takes && is_asked_for) throw baker::BakeError(plan.against);
         // Where neither layout fits, the smaller of both sizes is the one to name.
         if (!takes && options_.fit.wanted()) planned_chord(options_);
+        if (takes && options_.is_paced()) plan = paced(scene, plan);
         warnings_ += tell_plan(plan, options_, takes);
         if (!takes) return std::nullopt;
         if (!options_.fit.json.empty())
             write_output(options_.fit.json, plan_json(plan, options_.limits).dump(2) + "\n");
         return plan;
+    }
+
+    // The plan for the frame rate that is asked for.
+    baker::SurfacePlan paced(const baker::Scene& scene, const baker::SurfacePlan& largest)
+    {
+        const std::vector<planner::Pace>& paces = options_.fit.paces;
+        const PacePlan plan = in_step(BakeStep::planning, [&](const baker::ProgressCallback& progress) {
+            return plan_for_pace(scene, largest, options_.limits, paces, options_.screen, progress);
+        });
+        if (options_.progress != ProgressStyle::json)
+            print(options_.fit.plan_only ? stdout : stderr, "%s", text_of(plan, paces.front()).c_str());
+        return plan.chosen.plan;
     }
 
     // Whether the surface field shows more of the scene than a chord field, by small bakes of both. The soft edge of a
@@ -247,7 +261,7 @@ void add_bake(CLI::App& lumi)
         byte_text(baker::field_file_bytes(options->chord)) +
         " with the defaults. A bake that was stopped, by Ctrl-C or otherwise,\ngoes on with the same command.\n"
         "Example:\n  lumi bake product.obj\n"
-        "  lumi bake product.obj -o product.lumi --fit 1MB --for rp2350@15fps\n"
+        "  lumi bake product.obj -o product.lumi --for rp2350@15fps\n"
         "  lumi bake product.obj -o product.lumi --fit 250kB --ram 40kB --screen 240x240 --rows 8\n"
         "  lumi bake product.obj -o product.lumi --layout chord --origins 512 --directions 1024 --spp 32");
     command->callback([options, command] {

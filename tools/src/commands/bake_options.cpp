@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/bake_options.h"
 
+#include <algorithm>
 #include <array>
 
 #include "commands/camera_options.h"
@@ -78,15 +79,24 @@ baker::BakeSettings chord_of(const BakeOptions& options)
     return settings;
 }
 
+bool has_rate(const FitOptions& options)
+{
+    return std::any_of(
+        options.paces.begin(), options.paces.end(), [](const planner::Pace& pace) { return pace.is_asked; });
+}
+
 void check_fit(const CLI::App& command, const FitOptions& options)
 {
     if (!options.wanted()) {
-        for (const char* name : {"--for", "--ram", "--plan-only", "--plan"})
-            if (command.count(name) > 0) throw UsageError(std::string(name) + " belongs to --fit");
-        return;
+        if (command.count("--ram") > 0) throw UsageError("--ram belongs to --fit");
+        for (const char* name : {"--plan-only", "--plan"})
+            if (command.count(name) > 0 && !has_rate(options))
+                throw UsageError(std::string(name) + " belongs to --fit");
     }
-    if (command.count("--shard") > 0) throw UsageError("--shard does not go with --fit; shard the plan it finds");
-    options.budget_bytes();
+    if (command.count("--shard") > 0 && (options.wanted() || has_rate(options)))
+        throw UsageError(std::string("--shard does not go with ") + (options.wanted() ? "--fit" : "--for and a rate") +
+                         "; shard the plan it finds");
+    if (options.wanted()) options.budget_bytes();
     if (!options.ram.empty()) options.ram_bytes();
     announce_outputs({options.json});
 }
@@ -100,6 +110,9 @@ baker::SurfaceLimits limits_of(const CLI::App& command, const BakeOptions& optio
     baker::SurfaceLimits limits;
     if (options.fit.wanted()) limits.bytes = options.fit.budget_bytes();
     if (!is_planned) limits.bytes = UINT32_MAX;
+    for (const planner::Pace& pace : options.fit.paces)
+        if (pace.is_asked && pace.chip->flash_bytes != 0)
+            limits.bytes = std::min<uint64_t>(limits.bytes, pace.chip->flash_bytes);
     if (!options.fit.ram.empty()) limits.ram = baker::RamLimit{options.fit.ram_bytes(), options.screen};
     limits.chooses_triangles = is_planned && !given("--triangles");
     limits.chooses_density = is_planned && !given("--texel-density");
@@ -128,7 +141,10 @@ void add_fit_options(CLI::App& command, FitOptions& options)
                     "fit: a mesh so coarse that view and stripe take at most so much RAM, antialiased on --screen: "
                     "40kB")
         ->type_name("SIZE");
-    add_pace_option(command, options.paces, "fit: say by which mode these parts draw the field at that rate");
+    add_pace_option(command, options.paces,
+                    "with a rate: choose triangles, texels, view tables and mode that show most at it; else say the "
+                    "mode and its rate; rp2040x2 stands for both cores",
+                    true);
     command.add_flag("--plan-only", options.plan_only, "fit: end with the plan, without a bake");
     command.add_option("--plan", options.json, "fit: write the plan here as JSON")->type_name("FILE");
 }
@@ -271,6 +287,11 @@ void add_work_options(CLI::App& command, BakeOptions& options)
 BakeOptions::BakeOptions()
 {
     chord.texel = TexelFormat::palette8;
+}
+
+bool BakeOptions::is_paced() const
+{
+    return limits.chooses_triangles && limits.chooses_density && !limits.ram && has_rate(fit);
 }
 
 uint64_t FitOptions::budget_bytes() const

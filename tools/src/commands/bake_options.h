@@ -46,6 +46,9 @@ struct BakeOptions {
     std::string output, cap, shard;
     bool restart = false, verbose = false;
     ProgressStyle progress = ProgressStyle::automatic;
+
+    // Whether a surface field is planned for a frame rate.
+    bool is_paced() const;
 };
 
 // Adds them; `options` must outlive the parse.

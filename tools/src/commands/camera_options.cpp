@@ -135,11 +135,12 @@ void add_picture_output(CLI::App& command, std::string& output, const std::strin
     command.add_option("-o,--output", output, "Picture to write")->type_name(type)->check(wrong_name)->required();
 }
 
-void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description)
+void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description,
+                     bool takes_two)
 {
-    const auto set = [&paces](const std::string& word) {
+    const auto set = [&paces, takes_two](const std::string& word) {
         const auto pace = planner::parse_pace(word);
-        if (!pace)
+        if (!pace || (pace->cores != 1 && !takes_two))
             throw CLI::ValidationError("--for",
                                        "takes parts with or without a frame rate, such as rp2040 or rp2040@30fps, "
                                        "with " +

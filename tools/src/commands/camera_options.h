@@ -26,7 +26,8 @@ void add_picture_output(CLI::App& command, std::string& output, const std::strin
 
 // Adds "--for LIST", a list of PART or PART@RATEfps: which parts draw, and how many frames a second they should reach.
 // `paces` must outlive the parse. Another word is refused.
-void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description);
+void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const std::string& description,
+                     bool takes_two = false);
 
 // Adds --screen and --rows, what a device shows a field on; `screen` must outlive the parse.
 void add_screen_options(CLI::App& command, host::ScreenSize& screen);

@@ -113,16 +113,18 @@ std::string pace_text(const FieldFile& file, const planner::Pace& pace, const ho
 {
     std::vector<ModeFigures> modes = device_figures(file, {screen, {pace.chip}});
     if (file.is_surface()) std::reverse(modes.begin(), modes.end());
-    const auto rate_of = [](const ModeFigures& mode) { return mode.parts.front().mean; };
+    const int cores = file.is_surface() ? pace.cores : 1;
+    const auto rate_of = [&](const ModeFigures& mode) { return mode.parts.front().of(cores); };
     const auto found = std::find_if(modes.begin(), modes.end(),
                                     [&](const ModeFigures& mode) { return rate_of(mode) >= pace.frames_per_second; });
     const bool is_reached = found != modes.end();
     const ModeFigures& mode = is_reached ? *found : modes.back();
     if (const std::string obstacle = obstacle_of(*pace.chip, mode.ram, file); !obstacle.empty())
         return pace.chip->title + (": " + obstacle) + "\n";
-    std::string text = formatted("%s: %s frames a second at %d x %d pixels (%s, %s), %s of RAM", pace.chip->title,
-                                 rate_text(rate_of(mode)).c_str(), screen.width_px, screen.height_px, mode.mode,
-                                 pace.chip->is_estimated ? "estimated" : "modelled", byte_text(mode.ram.all()).c_str());
+    std::string text =
+        formatted("%s%s: %s frames a second at %d x %d pixels (%s, %s), %s of RAM", pace.chip->title,
+                  cores == 2 ? ", both cores" : "", rate_text(rate_of(mode)).c_str(), screen.width_px, screen.height_px,
+                  mode.mode, pace.chip->is_estimated ? "estimated" : "modelled", byte_text(mode.ram.all()).c_str());
     if (!is_reached) text += formatted(", below %g frames a second", pace.frames_per_second);
     return text + (is_reached || !file.is_surface() ? "\n" : "; more --rows or fewer --triangles are faster\n");
 }

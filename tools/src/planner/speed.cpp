@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
 #include <stdexcept>
 #include <string_view>
 
 #include "lumi/chord/render_spans.h"
 #include "lumi/orbit.h"
-#include "planner/instruction_costs.h"
 #include "quality/references.h"
 
 namespace lumi::planner
@@ -54,7 +52,9 @@ std::optional<Pace> parse_pace(const std::string& text)
         at == std::string::npos ? kUsualPace : parse_rate(std::string_view(text).substr(at + 1));
     if (!rate) return std::nullopt;
     for (const Chip& chip : kChipList)
-        if (text.substr(0, at) == chip.key) return Pace{&chip, *rate};
+        for (int cores = 1; cores <= chip.cores; ++cores)
+            if (text.substr(0, at) == chip.key + (cores == 1 ? std::string() : "x" + std::to_string(cores)))
+                return Pace{&chip, *rate, at != std::string::npos, cores};
     return std::nullopt;
 }
 
@@ -86,26 +86,25 @@ uint32_t stack_of(const tools::FieldFile& field)
     return fits_spans(field.field()) ? kSpanStackBytes : kExactStackBytes;
 }
 
-double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work)
-{
-    const auto& costs = kSurfaceCosts[cost_index(core)][static_cast<size_t>(mode)];
-    return std::inner_product(work.count.begin(), work.count.end(), std::begin(costs), 0.0);
-}
-
 // Vertices and tables are read once, a patch once to be listed and once or twice to be filled; of texels, neighbours in
 // a scanline share half of the lines.
-double surface_misses(const SurfaceField& field, const SurfaceWork& work, double line_bytes)
+double surface_misses(const SurfaceField& field, const FrameWork& work, const host::ScreenSize& screen,
+                      double line_bytes)
 {
     constexpr double kPatchReads = 2.5, kSeeThroughReads = 3.5, kTexelLines = 0.5;
-    const double mesh = detail::format::kVertexBytes * work[SurfaceItem::vertex] +
-                        detail::format::view_bytes(field.code_bits) * work[SurfaceItem::lit] +
-                        kPatchReads * detail::format::kPatchBytes * work[SurfaceItem::patch];
-    const double see_through = kSeeThroughReads * detail::format::kPatchBytes * work[SurfaceItem::see_patch];
-    const auto texels = [&](SurfaceItem plain, SurfaceItem magnified) {
-        return kTexelLines * std::min(work[plain] + work[magnified], work[SurfaceItem::image_px]);
+    const auto count = [&](Work of) { return static_cast<double>(work[of]); };
+    const double mesh = detail::format::kVertexBytes * count(Work::vertex) +
+                        detail::format::view_bytes(field.code_bits) * count(Work::lit) +
+                        kPatchReads * detail::format::kPatchBytes * count(Work::patch);
+    const double see_through = kSeeThroughReads * detail::format::kPatchBytes * count(Work::see_triangle) / 2;
+    const auto texels = [&](std::initializer_list<Work> loops) {
+        double samples = 0;
+        for (const Work loop : loops) samples += count(loop);
+        return kTexelLines * std::min(samples, 1.0 * screen.width_px * screen.height_px);
     };
-    return (mesh + see_through) / line_bytes + texels(SurfaceItem::sample, SurfaceItem::magnified_sample) +
-           texels(SurfaceItem::see_sample, SurfaceItem::see_magnified_sample);
+    return (mesh + see_through) / line_bytes +
+           texels({Work::sample, Work::two_taps_sample, Work::packed_sample, Work::bilinear_sample}) +
+           texels({Work::see_sample, Work::see_two_taps_sample, Work::see_bilinear_sample});
 }
 
 int rated_poses(const host::ScreenSize& screen)
@@ -114,10 +113,15 @@ int rated_poses(const host::ScreenSize& screen)
     return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
 }
 
-std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen)
+std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen,
+                                    int poses)
 {
+    // Halves of what is prepared take so much each: some steps are done twice, and cores wait for each other.
+    constexpr double kPrepareByTwo = 0.54;
+    const double pixels = 1.0 * screen.width_px * screen.height_px;
     std::vector<SurfaceWork> works;
-    for (quality::HeldOutView& view : quality::held_out_views(quality::ViewSet::all, rated_poses(screen))) {
+    for (quality::HeldOutView& view :
+         quality::held_out_views(quality::ViewSet::all, std::min(poses, rated_poses(screen)))) {
         const double fov_deg = host::framing_fov_deg(screen.width_px, screen.height_px, view.distance);
         view.eye.image = host::make_image(screen.width_px, screen.height_px, fov_deg);
         works.push_back(work_of(field, view.eye, mode, screen.stripe_rows()));
@@ -126,12 +130,17 @@ std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode,
     for (const Chip& chip : kChipList) {
         PartRate rate = {&chip, 0, 1e9, 0};
         for (const SurfaceWork& work : works) {
-            const auto instructions = static_cast<uint64_t>(surface_instructions(chip.core, mode, work));
-            const auto misses = static_cast<uint64_t>(surface_misses(field, work, 1.0 * chip.cache.line_bytes));
-            const double fps = frames_per_second(chip, instructions, misses, work[SurfaceItem::image_px]);
-            rate.mean += fps / static_cast<double>(works.size());
+            const double share = 1 / static_cast<double>(works.size());
+            const double instructions = instructions_of(chip.core, work.frame);
+            const auto misses = static_cast<uint64_t>(surface_misses(field, work.frame, screen, chip.cache.line_bytes));
+            const double fps = frames_per_second(chip, static_cast<uint64_t>(instructions), misses, pixels);
+            rate.mean += share * fps;
             rate.worst = std::min(rate.worst, fps);
-            rate.instructions += static_cast<double>(instructions) / static_cast<double>(works.size());
+            rate.instructions += share * instructions;
+            if (chip.cores < 2) continue;
+            const double preparing = instructions_of(chip.core, work.preparing);
+            const double of_two = kPrepareByTwo * preparing + (instructions - preparing) / 2;
+            rate.mean_of_two += share * frames_per_second(chip, static_cast<uint64_t>(of_two), misses, pixels);
         }
         rates.push_back(rate);
     }
@@ -140,16 +149,6 @@ std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode,
 
 namespace
 {
-
-using tools::Mode;
-
-const double (&costs_of(const std::string& core, Mode mode, const Field& field, int32_t span_px))[kChordItems]
-{
-    const size_t of_core = cost_index(core);
-    const size_t of_mode = static_cast<size_t>(mode);
-    if (!is_drawn_by_spans(field, mode, span_px)) return kExactCosts[of_core][of_mode];
-    return kSpanCosts[of_core][of_mode][static_cast<size_t>(field.texel_format)];
-}
 
 Camera camera_of_generic_view(const host::ScreenSize& screen)
 {
@@ -162,23 +161,17 @@ Camera camera_of_generic_view(const host::ScreenSize& screen)
 
 }  // namespace
 
-double chord_instructions(const std::string& core, Mode mode, const Field& field, int32_t span_px,
-                          const ChordWork& work)
-{
-    const auto& costs = costs_of(core, mode, field, span_px);
-    return std::inner_product(work.count.begin(), work.count.end(), std::begin(costs), 0.0);
-}
-
 std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px, const host::ScreenSize& screen)
 {
-    const ChordFrame frame = frame_of(field, mode, span_px, camera_of_generic_view(screen), screen);
+    const ChordFrame frame = frame_of(field, mode, is_drawn_by_spans(field, mode, span_px) ? span_px : 0,
+                                      camera_of_generic_view(screen), screen.stripe_rows());
     const AllTraffic traffic = traffic_of(frame.reads);
     std::vector<PartRate> rates;
     for (size_t k = 0; k < kChips; ++k) {
         const Chip& chip = kChipList[k];
-        const double instructions = chord_instructions(chip.core, mode, field, span_px, frame.work);
+        const double instructions = instructions_of(chip.core, frame.work);
         const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses,
-                                              frame.work[ChordItem::image_px]);
+                                              1.0 * screen.width_px * screen.height_px);
         rates.push_back({&chip, rate, rate, instructions});
     }
     return rates;

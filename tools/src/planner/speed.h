@@ -11,8 +11,7 @@
 #include "files/field_file.h"
 #include "lumi/host/view_memory.h"
 #include "planner/chips.h"
-#include "planner/chord_work.h"
-#include "planner/surface_work.h"
+#include "planner/work.h"
 
 namespace lumi::planner
 {
@@ -30,11 +29,14 @@ const std::vector<ChordMode>& chord_modes();
 struct Pace {
     const Chip* chip;
     double frames_per_second;
+    bool is_asked = false;  // the rate was said, so a field may be planned for it
+    int cores = 1;          // that draw
 };
 // The pace of a part without a rate: an object that people turn moves, and does not jump.
 inline constexpr double kUsualPace = 10;
 
-// "rp2040@30fps", "rp2040"; nothing for other texts, unknown parts and rates that are not above 0.
+// "rp2040@30fps", "rp2040", "rp2040x2@30fps" for both cores of one that has two; nothing for other texts, unknown parts
+// and rates that are not above 0.
 std::optional<Pace> parse_pace(const std::string& text);
 // Returns "rp2040, rp2350, … or esp32c3".
 std::string chip_names();
@@ -54,21 +56,24 @@ Ram ram_of(const host::SurfaceCounts& field, const host::ScreenSize& screen);
 inline constexpr uint32_t kSurfaceStackBytes = 3072, kSpanStackBytes = 2624, kExactStackBytes = 1024;
 uint32_t stack_of(const tools::FieldFile& field);
 
-// Returns the instructions of a frame in RGB565 with the code of `core` ("m0plus", "m4" or "m7").
-double surface_instructions(const std::string& core, SurfaceMode mode, const SurfaceWork& work);
-
 // Flash lines of so many bytes that a frame misses, about.
-double surface_misses(const SurfaceField& field, const SurfaceWork& work, double line_bytes);
+double surface_misses(const SurfaceField& field, const FrameWork& work, const host::ScreenSize& screen,
+                      double line_bytes);
 
 // Frames a second by one core, over poses all around the sphere.
 struct PartRate {
     const Chip* chip;
     double mean, worst;
-    double instructions;  // a frame, in the mean
+    double instructions;     // a frame, in the mean
+    double mean_of_two = 0;  // by two cores of a surface field, where there are two
+
+    double of(int cores) const { return cores == 2 ? mean_of_two : mean; }
 };
-std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen = {});
 
 inline constexpr int kRatedPoses = 200;
+
+std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen = {},
+                                    int poses = kRatedPoses);
 
 // From how many poses such a screen is rated: kRatedPoses up to 480 × 480 pixels; of larger ones fewer, since each pose
 // is drawn.
@@ -76,11 +81,6 @@ int rated_poses(const host::ScreenSize& screen);
 
 // The span that rates are told for unless they say which.
 inline constexpr int32_t kRatedSpanPx = 8;
-
-// Instructions of a frame in RGB565 over black, whose work is frame_of()'s, with the code of `core` ("m0plus", "m4" or
-// "m7"). Paper is that of 5 points a side.
-double chord_instructions(const std::string& core, tools::Mode mode, const Field& field, int32_t span_px,
-                          const ChordWork& work);
 
 // Frames a second by one core, of a view that the sphere fills, in the order of kChipList; mean and worst are the same.
 std::vector<PartRate> chord_rates(const Field& field, tools::Mode mode, int32_t span_px = kRatedSpanPx,

@@ -168,19 +168,30 @@ double decibels(double squared_error)
 
 }  // namespace
 
+QuickMeasure::QuickMeasure(const baker::Scene& scene, int side_px, double cap, unsigned threads,
+                           const baker::ProgressCallback& progress)
+    : views_(held_out_views(ViewSet::all, kQuickViews, side_px, cap))
+{
+    const auto half = [&](uint64_t seed) { return baker::ReferenceSettings{kSamples, seed, threads}; };
+    const uint64_t rays = rays_of(views_, half(1));
+    baker::JobSeries series(progress, 2 * rays);
+    for (const uint64_t seed : {uint64_t{1}, uint64_t{2}})
+        halves_[seed - 1] = references_of(scene, views_, half(seed), {}, series.next(rays));
+}
+
+double QuickMeasure::psnr_db(const DrawView& draw) const
+{
+    double sum = 0;
+    for (size_t v = 0; v < views_.size(); ++v)
+        sum += decibels(squared_error(draw(views_[v]), halves_[0][v].picture, halves_[1][v].picture));
+    return sum / static_cast<double>(views_.size());
+}
+
 double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, double cap, unsigned threads,
                      const baker::ProgressCallback& progress)
 {
-    const auto views = held_out_views(ViewSet::all, kQuickViews, kSidePx, cap);
-    const auto half = [&](uint64_t seed) { return baker::ReferenceSettings{kSamples, seed, threads}; };
-    const uint64_t rays = rays_of(views, half(1));
-    baker::JobSeries series(progress, 2 * rays);
-    const auto a = references_of(scene, views, half(1), {}, series.next(rays));
-    const auto b = references_of(scene, views, half(2), {}, series.next(rays));
-    double sum = 0;
-    for (size_t v = 0; v < views.size(); ++v)
-        sum += decibels(squared_error(drawn(field, views[v]), a[v].picture, b[v].picture));
-    return sum / static_cast<double>(views.size());
+    const QuickMeasure measure(scene, kSidePx, cap, threads, progress);
+    return measure.psnr_db([&](const HeldOutView& view) { return drawn(field, view); });
 }
 
 }  // namespace lumi::quality

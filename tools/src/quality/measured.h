@@ -82,10 +82,24 @@ std::vector<Measured> measured_variants(const tools::FieldFile& file, const std:
 
 inline constexpr int kQuickViews = 4;
 
-// Finds what a field shows in seconds, from few views, small pictures and few light paths; `lumi report` measures
-// properly. It is the mean PSNR in dB over kQuickViews views, in the uppermost share `cap` of the sphere, by the best
-// mode of the field. The noise of the references is taken out: two of them, independent, give the squared error as the
-// mean of (x - a)(x - b). Throws Cancelled.
+// Finds what fields show in seconds, from few views, small pictures and few light paths; `lumi report` measures
+// properly. It is the mean PSNR in dB over kQuickViews views, in the uppermost share `cap` of the sphere. The noise of
+// the references is taken out: two of them, independent, give the squared error as the mean of (x - a)(x - b).
+class QuickMeasure
+{
+public:
+    // Traces the references. Throws Cancelled.
+    QuickMeasure(const baker::Scene& scene, int side_px, double cap, unsigned threads,
+                 const baker::ProgressCallback& progress = {});
+
+    double psnr_db(const DrawView& draw) const;
+
+private:
+    std::vector<HeldOutView> views_;
+    std::vector<Reference> halves_[2];
+};
+
+// Does that for one field by its best mode.
 double quick_psnr_db(const baker::Scene& scene, const tools::FieldFile& field, double cap, unsigned threads,
                      const baker::ProgressCallback& progress = {});
 

@@ -102,7 +102,6 @@ Gathered gather(const Field& field, const Vec3q30& front, const Vec3q30& back)
     for (uint32_t m = 0; m < origins.count; ++m) {
         const uint8_t* row = field.row(origins.index[m]);
         if (row == nullptr) continue;
-        LUMI_TALLY(Work::row_read, 1);
         LUMI_TALLY(Work::tap, directions.count);
         for (uint32_t k = 0; k < directions.count; ++k)
             sums.add(origins.weight_q12[m] * directions.weight_q12[k], Texel::load(field, row, directions.index[k]));

@@ -14,10 +14,9 @@ enum class Work : uint8_t {
     frame,
     vertex,
     patch,
-    listed,    // triangles that face the eye
-    lit,       // vertices that have view tables, of these
-    bordered,  // patches whose outlines are looked for
-    see_frame,
+    listed,        // triangles that face the eye
+    lit,           // vertices that have view tables, of these
+    bordered,      // patches whose outlines are looked for
     see_triangle,  // see-through ones of the field
     ordered,       // those of them that show
     // A stripe.
@@ -34,7 +33,7 @@ enum class Work : uint8_t {
     split_part,  // those that are drawn
     row,
     filled,  // rows that have samples
-    // Samples of loops, each with those that are nearer than what was there: kSampleKinds.
+    // Samples of loops, each with those that are nearer than what was there.
     sample,
     shown,
     two_taps_sample,
@@ -61,44 +60,33 @@ enum class Work : uint8_t {
     four_apart,    // those of these whose light is averaged
     four_mixed,    // those that are covered in part
     // Chord fields by spans.
-    chord_stripe,
-    made_zone,
-    searched,  // scanlines whose outline does not follow from the one before
-    band,
     gap,        // begins of spans that do not follow another one
-    hit,        // hits of both sides
     tile_side,  // tries, of one side
     span_side,
     zone,  // changes of a side's zone
     polar_side,
     piece,
-    piece_line,
-    pixel,  // Nearest: kTexelFormats
+    pixel,  // of Nearest, in the order of TexelFormat
     pixel_rgb565,
     pixel_palette8,
     pixel_luma8,
     linear_piece,
-    linear_line,
-    linear_pixel,  // kTexelFormats
+    linear_pixel,  // of Linear, likewise
     linear_pixel_rgb565,
     linear_pixel_palette8,
     linear_pixel_luma8,
     flipped_pixel,   // those of pieces with cells of either diagonal
     checked_pixel,   // of Nearest
     checked_linear,  // pixels of Linear that are drawn side by side
+    checked_row,     // origins that these read
     // Exact pixels of chord fields.
-    extent,  // scanlines whose ends are searched
     exact,
-    query,  // lookups of a side's points
     zone_step,
     distance,  // points of cells
     scanned,   // points that are all looked at
-    cell,      // triangles
     polar_triangle,
     hull_triangle,
-    kernel,
-    row_read,  // origins
-    tap,       // texels
+    tap,  // texels
     kCount
 };
 

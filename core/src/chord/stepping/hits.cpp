@@ -82,7 +82,6 @@ LUMI_ALWAYS_INLINE HitEvaluator::Ray HitEvaluator::ray(const ScanlineRays& rays,
 
 void HitEvaluator::evaluate(const ScanlineRays& rays, int32_t ahead, HitPair& out) const
 {
-    LUMI_TALLY(Work::hit, 1);
     const Ray r = ray(rays, ahead);
     const int32_t px = r.px_q15;
     const int32_t py = r.py_q15;

@@ -170,7 +170,6 @@ bool OutlineTracker::adjust()
 bool OutlineTracker::search(int32_t y)
 {
     if (y < 0 || y >= camera_.height_px() || limits_.begin >= limits_.end) return false;
-    LUMI_TALLY(Work::searched, 1);
     const int32_t step = 1 + (limits_.end - limits_.begin) / 16;
     const Stride stride(camera_, step);
     span_ = {limits_.end, limits_.begin};

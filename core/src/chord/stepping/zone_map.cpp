@@ -33,7 +33,6 @@ int32_t obtuse_index_q10(const Lattice& lattice, const Zone& z)
 
 Zone make_zone(const Lattice& lattice, int k)
 {
-    LUMI_TALLY(Work::made_zone, 1);
     const uint32_t n = lattice.size();
     Zone z{};
     z.number = static_cast<int16_t>(k);

@@ -24,7 +24,6 @@ void draw_both_sides(const CellPiece<Background>& span, const TileScanlines* til
         {static_cast<int32_t>(field.row_stride_bytes), static_cast<int32_t>(format::bytes_per_texel(Texel::kFormat))});
     BothSidesScanlines scanlines(span, tile);
     for (;;) {
-        LUMI_TALLY(Work::linear_line, 1);
         LUMI_TALLY(nth_work(Work::linear_pixel, static_cast<uint32_t>(Texel::kFormat)), span.length);
         LUMI_TALLY(Work::flipped_pixel, kFlips ? span.length : 0);
         both.begin(scanlines);
@@ -100,6 +99,7 @@ void draw_nine_checked(const CheckedPiece<Background>& span)
         for (int m = 0; m < 3; ++m) {
             const uint8_t* const row = span.row(rows.index[m]);
             if (row == nullptr) continue;
+            LUMI_TALLY(Work::checked_row, 1);
             typename Sum::Row of_row;
             for (int n = 0; n < 3; ++n) of_row.add(span.field, row + offset[n] - Sum::kBefore, texels.weight[n]);
             sum.add(of_row, row_weight<Sum>(rows.weight[m]));

@@ -89,7 +89,6 @@ struct SpanDraw<Nearest> {
         int32_t scanlines_left = span.scanlines();
         span.go_to_first();
         do {
-            LUMI_TALLY(Work::piece_line, 1);
             LUMI_TALLY(nth_work(Work::pixel, static_cast<uint32_t>(Texel::kFormat)), span.length);
             int32_t uo = span.origins.u_q16 + kHalfCellQ16, vo = span.origins.v_q16 + kHalfCellQ16;
             int32_t ud = span.directions.u_q16 + kHalfCellQ16, vd = span.directions.v_q16 + kHalfCellQ16;
