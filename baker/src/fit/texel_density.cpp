@@ -18,7 +18,7 @@ constexpr double kFewest = 4, kMost = 32;  // to a cell
 constexpr double kCells = 2e5;             // at most: more tell no more about where detail is
 constexpr uint32_t kFarthest = 8;          // cells between two that are compared
 constexpr float kSure = 2.5f;              // standard errors by which a difference must exceed the noise
-constexpr float kVisible = 5.7f;           // squared levels of a channel between neighbours: finer texels show no more
+constexpr float kVisible = 6;              // squared levels of a channel between neighbours: finer texels show no more
 constexpr float kLeastCells = 0.25f;       // texels along a line as long as a cell, however even the light
 constexpr float kLeastDetail = 12;         // squared levels of all channels: two levels between neighbours
 constexpr float kOutline = 10000;          // the same beside a texel that light passes: 60 levels to what lies behind

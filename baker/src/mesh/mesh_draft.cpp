@@ -23,23 +23,23 @@ size_t seen_triangles(const Mesh& mesh, Faces faces, const ViewCap& cap, Job& jo
     return seen_part(MeshTracer(mesh, faces), job, cap, kCountRays).triangle_count();
 }
 
-Mesh simplified_in(Job& job, const Mesh& mesh, size_t triangles)
+Mesh simplified_in(Job& job, const Outside& outside, size_t triangles)
 {
     Mesh result;
-    job.run(1, [&](uint32_t) { result = simplified(mesh, triangles); });
+    job.run(1, [&](uint32_t) { result = simplified(outside.mesh, triangles, outside.openness); });
     return result;
 }
 
 // With so many triangles that can be seen, where the scene has them.
 Mesh simplified_as_seen(const Outside& outside, size_t triangles, const ViewCap& cap, Job& job)
 {
-    Mesh result = simplified_in(job, outside.mesh, triangles);
+    Mesh result = simplified_in(job, outside, triangles);
     double asked = static_cast<double>(triangles);
     for (int k = 1; k < kAttempts && result.triangle_count() < outside.mesh.triangle_count(); ++k) {
         const size_t seen = seen_triangles(result, outside.faces(), cap, job);
         if (seen == 0 || static_cast<double>(seen) >= kEnoughSeen * static_cast<double>(triangles)) break;
         asked *= static_cast<double>(triangles) / static_cast<double>(seen);
-        result = simplified_in(job, outside.mesh, std::min(kMostAsked, static_cast<size_t>(asked)));
+        result = simplified_in(job, outside, std::min(kMostAsked, static_cast<size_t>(asked)));
     }
     return result;
 }

@@ -202,12 +202,27 @@ private:
     std::vector<double> component_seen_;  // by component
 };
 
+// By vertex, the mean over the triangles around it by their area.
+std::vector<float> vertex_openness(const Mesh& mesh, const std::vector<Openness>& open)
+{
+    std::vector<float> areas(mesh.positions.size(), 0), seen(mesh.positions.size(), 0);
+    for (size_t k = 0; k < mesh.triangle_count(); ++k) {
+        for (const uint32_t v : mesh.corners[k]) {
+            areas[v] += mesh.area(k);
+            seen[v] += mesh.area(k) * std::max(open[k].front, open[k].back);
+        }
+    }
+    for (size_t v = 0; v < areas.size(); ++v) seen[v] = areas[v] > 0 ? seen[v] / areas[v] : 0;
+    return seen;
+}
+
 Outside outside_of(const Mesh& mesh, const Accelerator& accelerator, const ViewCap& cap, Job& job)
 {
     const std::vector<Openness> open = survey(mesh, accelerator, cap, job);
     Outside result;
     job.run(1, [&](uint32_t) {
         result.mesh = all_welded(mesh);
+        result.openness = vertex_openness(result.mesh, open);
         drop_seen_copies(result.mesh, open);
         Turner turner(result.mesh, open);
         std::vector<Mesh::Corners> turned = turner.turned();

@@ -12,6 +12,8 @@ namespace lumi::baker
 
 struct Outside {
     Mesh mesh;  // positions and corners; vertices welded; triangles turned towards the side that is seen more
+    // By vertex: the share of directions from which the surface around it is seen, in the mean; 0 .. 1.
+    std::vector<float> openness;
     bool two_sided = false;  // too much is seen from both sides to cull back faces
 
     Faces faces() const { return two_sided ? Faces::both : Faces::front; }
@@ -20,7 +22,7 @@ struct Outside {
 template <class Io>
 void fields(Io& io, Outside& outside)
 {
-    io(outside.two_sided, outside.mesh);
+    io(outside.two_sided, outside.mesh, outside.openness);
 }
 
 // Positions and corners with vertices at one place as one, without triangles that are degenerate then.

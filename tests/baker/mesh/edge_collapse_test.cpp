@@ -120,6 +120,29 @@ TEST_CASE("Parallel plates keep their planes and creases with the fewest triangl
     CHECK(whole_area(few) == Approx(whole_area(plates)).epsilon(1e-3));
 }
 
+TEST_CASE("Of two surfaces alike, the one that is seen more keeps more triangles", "[mesh]")
+{
+    constexpr uint32_t kSteps = 40, kRow = kSteps + 1;
+    Mesh mesh;
+    std::vector<float> openness;
+    for (const float from : {-1.0f, 0.1f}) {
+        const auto first = static_cast<uint32_t>(mesh.positions.size());
+        for (uint32_t p = 0; p < kRow * kRow; ++p) {
+            const float x = static_cast<float>(p % kRow) / kSteps, y = static_cast<float>(p / kRow) / kSteps;
+            mesh.positions.push_back({from + 0.9f * x, y, 0.05f * std::sin(9 * x) * std::cos(7 * y)});
+            openness.push_back(from < 0 ? 0.8f : 0.05f);
+            if (x < 1 && y < 1) add_square(mesh, first + p, first + p + 1, first + p + kRow + 1, first + p + kRow);
+        }
+    }
+    const auto share_of_left = [](const Mesh& few) {
+        size_t left = 0;
+        for (size_t k = 0; k < few.triangle_count(); ++k) left += few.position(k, 0).x < 0 ? 1u : 0u;
+        return static_cast<double>(left) / static_cast<double>(few.triangle_count());
+    };
+    CHECK(share_of_left(simplified(mesh, 300)) == Approx(0.5).margin(0.03));
+    CHECK(share_of_left(simplified(mesh, 300, openness)) > 0.6);
+}
+
 TEST_CASE("A large body keeps its shape beside thousands of triangles that are too small to show", "[mesh]")
 {
     Mesh mesh = level_plates(1, 1, 0.6f, 0.1f);

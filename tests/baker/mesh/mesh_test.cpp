@@ -103,6 +103,25 @@ TEST_CASE("What nobody can see is no part of the mesh", "[mesh]")
     CHECK(outside_of(filled.data(), job).mesh.triangle_count() == outside_of(alone.data(), job).mesh.triangle_count());
 }
 
+TEST_CASE("A narrow gap is less open than the faces around it", "[mesh]")
+{
+    SceneMaker maker;
+    const uint32_t matter = maker.add(diffuse(grey(0.5f)));
+    for (const float low : {-0.23f, 0.03f}) maker.box(matter, {-0.6f, -0.6f, low}, {0.6f, 0.6f, low + 0.2f});
+    const Scene scene = maker.make(constant_environment(1));
+    Job job(1, 2, kSilent);
+    const Outside outside = outside_of(scene.data(), job);
+    REQUIRE(outside.openness.size() == outside.mesh.positions.size());
+    float inner = 0, outer = 1;
+    for (size_t v = 0; v < outside.openness.size(); ++v) {
+        const bool in_gap = std::abs(outside.mesh.positions[v].z) < 0.1f;
+        in_gap ? inner = std::max(inner, outside.openness[v]) : outer = std::min(outer, outside.openness[v]);
+    }
+    CAPTURE(inner, outer);
+    CHECK(inner < 0.6f * outer);
+    CHECK(outer > 0.8f);
+}
+
 TEST_CASE("Boxes wound inside out are turned", "[mesh]")
 {
     SceneMaker maker;

@@ -45,11 +45,11 @@ float seam_of(const Mesh& mesh, size_t triangles)
 
 }  // namespace
 
-Mesh simplified(const Mesh& mesh, size_t triangles)
+Mesh simplified(const Mesh& mesh, size_t triangles, const std::vector<float>& openness)
 {
     if (mesh.triangle_count() <= triangles) return compact(mesh.positions, mesh.corners);
     const Mesh whole = with_closed_seams(mesh, seam_of(mesh, triangles));
-    return compact(mesh.positions, fewer_with_thin_parts(whole, triangles, with_edges_collapsed));
+    return compact(mesh.positions, fewer_with_thin_parts(whole, openness, triangles, with_edges_collapsed));
 }
 
 }  // namespace lumi::baker

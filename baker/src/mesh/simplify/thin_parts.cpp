@@ -56,8 +56,9 @@ std::vector<Part> parts_of(const Mesh& mesh, std::vector<uint32_t>& part_of_vert
 class ThinParts
 {
 public:
-    ThinParts(const Mesh& mesh, const MakeFewer& make_fewer)
-        : mesh_(mesh), make_fewer_(make_fewer), parts_(parts_of(mesh, part_of_vertex_))
+    // Borrows all.
+    ThinParts(const Mesh& mesh, const Vertices& vertices, const MakeFewer& make_fewer)
+        : mesh_(mesh), vertices_(vertices), make_fewer_(make_fewer), parts_(parts_of(mesh, part_of_vertex_))
     {
     }
 
@@ -130,16 +131,19 @@ private:
         for (const Mesh::Corners& c : part.triangles) vertices.insert(vertices.end(), c.begin(), c.end());
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        std::vector<Vec3> positions;
-        for (const uint32_t v : vertices) positions.push_back(mesh_.positions[v]);
+        Vertices own;
+        for (const uint32_t v : vertices) {
+            own.positions.push_back(mesh_.positions[v]);
+            if (!vertices_.openness.empty()) own.openness.push_back(vertices_.openness[v]);
+        }
         Triangles best = part.triangles;
         for (Mesh::Corners& c : best)
             for (uint32_t& v : c)
                 v = static_cast<uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
         const Triangles whole = best;
         for (size_t wanted = whole.size() / 2; wanted > 0; wanted /= 2) {
-            Triangles fewer = make_fewer_(positions, whole, wanted);
-            if (area_of(positions, fewer) < kEnough * part.area) break;
+            Triangles fewer = make_fewer_(own, whole, wanted);
+            if (area_of(own.positions, fewer) < kEnough * part.area) break;
             if (fewer.size() < best.size()) best = std::move(fewer);
         }
         for (Mesh::Corners& c : best)
@@ -148,6 +152,7 @@ private:
     }
 
     const Mesh& mesh_;
+    const Vertices& vertices_;
     const MakeFewer& make_fewer_;
     std::vector<uint32_t> part_of_vertex_;
     std::vector<Part> parts_;
@@ -156,12 +161,14 @@ private:
 
 }  // namespace
 
-Triangles fewer_with_thin_parts(const Mesh& mesh, size_t triangles, const MakeFewer& make_fewer)
+Triangles fewer_with_thin_parts(const Mesh& mesh, const std::vector<float>& openness, size_t triangles,
+                                const MakeFewer& make_fewer)
 {
-    Triangles best = make_fewer(mesh.positions, mesh.corners, triangles);
-    ThinParts parts(mesh, make_fewer);
+    const Vertices vertices = {mesh.positions, openness};
+    Triangles best = make_fewer(vertices, mesh.corners, triangles);
+    ThinParts parts(mesh, vertices, make_fewer);
     for (int k = 0; k < kRounds && parts.keep_torn(best, triangles / kMostShare); ++k) {
-        Triangles fewer = make_fewer(mesh.positions, parts.rest(), triangles - parts.kept());
+        Triangles fewer = make_fewer(vertices, parts.rest(), triangles - parts.kept());
         parts.add_kept(fewer);
         if (parts.left(fewer) <= parts.left(best)) break;
         best = std::move(fewer);
