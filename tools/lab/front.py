@@ -4,8 +4,8 @@
 
 Measures dB against bytes: bakes each scene with --fill at each size, and once as a bake without options chooses. Prints a
 row of JSON a field, with PSNR in each mode of 12 views that no bake aimed at; all fields of a scene share the references.
-With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates, and sets the best
-picture that it shows at the rate beside the best of the sizes that keep it, by the modelled rates of `lumi inspect`.
+With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates, and tells on standard
+error the best picture that it shows at the rate beside the best of the sizes that keep it, by the rates of `lumi inspect`.
 Fields and references stay in FOLDER [build/front], and what is there is not made again. The documents' rows:
     tools/lab/front.py SCENE... | tools/lab/pages.py put front rows
 """
@@ -74,7 +74,9 @@ def rows(scene, options):
                       "seconds": seconds[name], "psnr_db": modes})
         if paces:
             found[-1]["fps"] = rates(field, paces[0].partition("@")[0])
-    yield from [*found, *beside(found, paces)]
+    for row in beside(found, paces):
+        bench.announce(json.dumps(row))
+    yield from found
 
 
 def main():
