@@ -4,7 +4,8 @@
 
 Measures dB against bytes: bakes each scene with --fill at each size, and once as a bake without options chooses. Prints a
 row of JSON a field, with PSNR in each mode of 12 views that no bake aimed at; all fields of a scene share the references.
-With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates, and tells on standard
+With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates within
+the last size, in place of the bake without options, and tells on standard
 error the best picture that it shows at the rate beside the best of the sizes that keep it, by the rates of `lumi inspect`.
 Fields and references stay in FOLDER [build/front], and what is there is not made again. The documents' rows:
     tools/lab/front.py SCENE... | tools/lab/pages.py put front rows
@@ -60,7 +61,9 @@ def beside(found, paces):
 
 def rows(scene, options):
     paces = options.paces.split(",") if options.paces else []
-    wanted = {"default": [], **{size: ["--fit", size, "--fill"] for size in options.sizes.split(",")}, **{pace: ["--for", pace] for pace in paces}}
+    sizes = options.sizes.split(",")
+    wanted = {**({} if paces else {"default": []}), **{size: ["--fit", size, "--fill"] for size in sizes},
+              **{pace: ["--fit", sizes[-1], "--for", pace] for pace in paces}}
     folder = options.work / scene.parent.name
     folder.mkdir(parents=True, exist_ok=True)
     fields = {name: folder / f"{scene.stem}-{name}-{options.paths}.lumi" for name in wanted}
