@@ -3,7 +3,6 @@
 
 #include "chord/stepping/coarse_math.h"
 #include "lumi/detail/compiler.h"
-#include "lumi/detail/work.h"
 
 namespace lumi::detail
 {
