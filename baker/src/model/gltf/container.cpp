@@ -44,11 +44,12 @@ std::string_view json_of_glb(const std::filesystem::path& file, std::string_view
         fail(file, "this is glTF 1.0, only 2.0 is read; open it in a program such as Blender and export glTF 2.0");
     short_of(number_at(bytes, 8));
     const size_t length = number_at(bytes, kHeaderBytes);
-    for (size_t begin = kHeaderBytes; begin + kChunkHeaderBytes <= number_at(bytes, 8);) {
+    size_t begin = kHeaderBytes;
+    do {  // the first chunk has to be there, even if the header says that the file is shorter
         const size_t end = begin + kChunkHeaderBytes + number_at(bytes, begin);
         if (end > number_at(bytes, 8)) fail(file, "a chunk reaches beyond the file's end; export it again");
         begin = end;
-    }
+    } while (begin + kChunkHeaderBytes <= number_at(bytes, 8));
     return bytes.substr(kHeaderBytes + kChunkHeaderBytes, length);
 }
 

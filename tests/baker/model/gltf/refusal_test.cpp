@@ -123,6 +123,16 @@ TEST_CASE("glTF: a GLB that is cut anywhere is refused")
     CHECK(read_gltf(folder.write("m.glb", whole), warnings).mesh.triangle_count() == 2);
 }
 
+TEST_CASE("glTF: a GLB whose header says that it ends before its first chunk does is refused")
+{
+    // Found by fuzzing: texts of packed meshes are searched in the whole file, and such a file's chunk was cut out.
+    using namespace std::string_literals;
+    for (const char size : {'\0', '\x0C', '\x13'}) {
+        const std::string lengths = size + "\0\0\0"s + "\xE4\x01\0\0"s;
+        check_gltf_refused("glTF\2\0\0\0"s + lengths + "JSON{\"KHR_draco_mesh_compression\":1}", "beyond");
+    }
+}
+
 TEST_CASE("glTF: any changed byte gives a model or a message")
 {
     const std::string whole = square("\"pbrMetallicRoughness\":{\"metallicFactor\":0.5}").glb();
