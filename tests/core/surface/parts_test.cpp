@@ -230,7 +230,7 @@ TEST_CASE("a part that turns or slides looks as it does at rest from an eye that
                             twin::encoded(back(decoded(pose.up))),
                             twin::encoded(back(decoded(pose.forward)))};
         if (twin::length(moved) < 1.01) continue;
-        const Image image = {kLargeSide, kLargeSide, degrees(60)};
+        const Image image = {kLargeSide, kLargeSide, degrees(int32_t{60})};
         Mover mover(opened.field(), kLargeSide), rest(opened.field(), kLargeSide);
         mover.set(0, slides ? static_cast<uint32_t>(q20(value)) : static_cast<uint32_t>(std::llround(value * 0x1p32)));
         const SurfaceMode mode = kSurfaceModes[k % 3];
@@ -256,7 +256,7 @@ TEST_CASE("a part that turns below its light keeps the colours of its vertices")
         REQUIRE(opened.error() == FieldError::none);
         CHECK(part_motion(opened.field(), 0).light_stays == light_stays);
         Mover turned(opened.field()), rest(opened.field());
-        REQUIRE(turned.turn(0, degrees(40)));
+        REQUIRE(turned.turn(0, degrees(int32_t{40})));
         turned.look(view, SurfaceMode::one_sample);
         rest.look(view, SurfaceMode::one_sample);
         uint32_t same = 0, other = 0;
@@ -412,13 +412,13 @@ TEST_CASE("sixteen parts that all move are told in four rectangles")
     const OpenedGlass opened(mover_file(mover(placed(ball(2, 0), 0.2, {0, 0, 0}), parts)));
     REQUIRE(opened.error() == FieldError::none);
     Mover mover(opened.field());
-    const test::View view = {"", look_at({0, 0, 3}, {0, 0, 0}), {kSide, kSide, degrees(50)}};
+    const test::View view = {"", look_at({0, 0, 3}, {0, 0, 0}), {kSide, kSide, degrees(int32_t{50})}};
     Bytes before = mover.look(view, SurfaceMode::antialiased);
     for (uint32_t moving = 1; moving <= 16; ++moving) {
         for (uint32_t k = 0; k < moving; ++k) REQUIRE(mover.slide(k, static_cast<int32_t>(moving << 12)));
         const Bytes now = mover.look(view, SurfaceMode::antialiased);
         const ChangedRects changed = changed_rects(mover.frame());
-        CHECK(changed.count == std::min(moving, 4u));
+        CHECK(changed.count == std::min(moving, uint32_t{4}));
         CHECK(are_same_beside(before, now, view.image, changed));
         before = now;
     }
@@ -506,7 +506,7 @@ TEST_CASE("views move parts, and refuse what is no part of theirs")
     CHECK(std::string(error_text(static_cast<ViewError>(FieldError::parts))).find("SPRT") != std::string::npos);
     REQUIRE(view.open(file.data(), file.size()) == ViewError::none);
     CHECK(view.changed().count == 0);
-    CHECK(view.turn(0, degrees(70)) == ViewError::none);
+    CHECK(view.turn(0, degrees(int32_t{70})) == ViewError::none);
     CHECK(view.slide(2, radii(1) / 4) == ViewError::none);
     CHECK(view.turn(2, 0) == ViewError::bad_argument);
     CHECK(view.slide(1, 0) == ViewError::bad_argument);
@@ -514,7 +514,7 @@ TEST_CASE("views move parts, and refuse what is no part of theirs")
     const test::View eye = extreme_views(kSide)[0];
     const OpenedGlass opened(file);
     Mover mover(opened.field());
-    mover.turn(0, degrees(70));
+    mover.turn(0, degrees(int32_t{70}));
     mover.slide(2, radii(1) / 4);
     const Bytes wanted = mover.look(eye, SurfaceMode::antialiased);
     const auto shown = [&] {
@@ -528,7 +528,7 @@ TEST_CASE("views move parts, and refuse what is no part of theirs")
     CHECK(shown() == wanted);
     CHECK(view.changed().count == 1);
     REQUIRE(view.open(file.data(), file.size()) == ViewError::none);  // parts rest again
-    REQUIRE(view.turn(0, degrees(70)) == ViewError::none);
+    REQUIRE(view.turn(0, degrees(int32_t{70})) == ViewError::none);
     REQUIRE(view.slide(2, radii(1) / 4) == ViewError::none);
     const auto both = [&](int32_t step) {
         halves.prepare(step, 1);
@@ -555,7 +555,7 @@ TEST_CASE("parts may be anywhere, from eyes and in images at the ends of their r
             part.axis = {a.x * stretched, a.y * stretched, a.z * stretched};
             for (double& c : part.pivot) c = choices.one_of({-2.0, 2.0, 0.0, 0.5});
             part.from = part.slides ? -(2 << 20) : static_cast<int32_t>(any(random));
-            part.span = part.slides ? 4 << 20 : choices.one_of({UINT32_MAX, 0u, 1u << 31});
+            part.span = part.slides ? 4 << 20 : choices.one_of({uint32_t{UINT32_MAX}, uint32_t{0}, uint32_t{1} << 31});
             parts.push_back(part);
         }
         const OpenedGlass opened(mover_file(mover(ball(2, 7), parts, choices.once_in(2) ? 5 : 0)));
