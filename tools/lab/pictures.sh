@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/pictures.sh [readme] [traced] [drawn] [NAME...]
+# tools/lab/pictures.sh [readme] [looks] [traced] [drawn] [NAME...]
 # Makes pictures of the documents anew, from the scenes of the project; without arguments all of them. readme: those of
-# README. traced: the scenes of
-# docs/scenes.md with 512 light paths a pixel, a minute each. drawn: the same from fields that a bake without options
-# makes, and how like the traced ones they are. NAME: of these alone, such as product-front.
+# README. looks: the skies of docs/scenes.md. traced: its scenes with 512 light paths a pixel, a minute each. drawn: the
+# same from fields that a bake without options makes, and how like the traced ones they are. NAME: of these alone, such
+# as product-front.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -51,13 +51,22 @@ draw_readme() {
   "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/readme-reference.png" --spp 256 "${readme_view[@]}" >/dev/null
 }
 
+draw_looks() {
+  local sky
+  for sky in gradient softboxes overcast evening; do
+    "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/look-$sky.png" --sky "$sky" --spp 512 "${readme_view[@]}" \
+      >/dev/null
+  done
+}
+
 main() {
   if [[ ${1:-} == --help ]]; then help "$0" && exit; fi
-  local wanted=" ${*:-readme traced drawn} " picture name scene eye
+  local wanted=" ${*:-readme looks traced drawn} " picture name scene eye
   mkdir -p "$work"
   rm -f "$work/rows.json"
   run_step "Build" build_lumi
   if [[ $wanted == *" readme "* ]]; then run_step "readme" draw_readme; fi
+  if [[ $wanted == *" looks "* ]]; then run_step "looks" draw_looks; fi
   for picture in "${pictures[@]}"; do
     read -r name scene eye <<<"$picture"
     if [[ $wanted == *" traced "* || $wanted == *" $name "* ]]; then run_step "$name" trace "$name" "$scene" "$eye"; fi

@@ -47,7 +47,7 @@ Environment gradient_environment();
 Environment studio_environment();  // lights what has no light of its own
 
 // Skies that have names. All but black send the same light to a white ball.
-inline const std::vector<std::string> kSkyNames = {"studio", "gradient", "overcast", "evening", "black"};
+inline const std::vector<std::string> kSkyNames = {"studio", "gradient", "softboxes", "overcast", "evening", "black"};
 std::optional<Environment> named_environment(const std::string& name);
 
 // A latitude-longitude map in a Radiance .hdr or an OpenEXR file, as docs/scenes.md says. Throws SceneError; appends to
