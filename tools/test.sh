@@ -72,7 +72,7 @@ check_with_cppcheck() {
     cppcheck --quiet --error-exitcode=1 --enable=warning,portability --std=c++17 --language=c++ -j "$jobs" \
       --suppress=missingIncludeSystem --suppress=uninitMemberVar --suppress=shiftTooManyBitsSigned \
       --suppress=duplInheritedMember --suppress=zerodiv:core/src/lattice/neighbours.cpp \
-      --suppress=danglingLifetime:tools/src/planner/surface_work.cpp --suppress=compareBoolExpressionWithInt \
+      --suppress=compareBoolExpressionWithInt \
       --suppress=constStatement --suppress=CastIntegerToAddressAtReturn --suppress=uselessAssignmentPtrArg \
       -Icore/include -Icore/src -Ibaker/include -Ibaker/src -Itools/src -Iplatform/host/include core/src baker/src tools/src
   )
