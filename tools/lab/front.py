@@ -4,9 +4,9 @@
 
 Measures dB against bytes: bakes each scene with --fill at each size, and once as a bake without options chooses. Prints a
 row of JSON a field, with PSNR in each mode of 12 views that no bake aimed at; all fields of a scene share the references.
-With --for rp2040@10fps,rp2040@15fps, and so on, also bakes what --for plans for each of these rates within
-the last size, in place of the bake without options, and tells on standard
-error the best picture that it shows at the rate beside the best of the sizes that keep it, by the rates of `lumi inspect`.
+With --for rp2040@10fps,rp2040@15fps, and so on, also bakes with --fill what --for plans for each of these rates within
+the last size, in place of the bake without options, and tells on standard error the best picture that it shows at the
+rate beside the best of the sizes that keep it, by the rates of `lumi inspect`.
 Fields and references stay in FOLDER [build/front], and what is there is not made again. The documents' rows:
     tools/lab/front.py SCENE... | tools/lab/pages.py put front rows
 """
@@ -53,8 +53,8 @@ def beside(found, paces):
     """For each rate the field that was planned for it beside those of a size."""
     of_size = [row for row in found if "@" not in row["asked"]]
     for pace in paces:
-        rate = float(pace.partition("@")[2].removesuffix("fps"))
-        planned, _, mode = best([row for row in found if row["asked"] == pace], 0.98 * rate)
+        rate = 0.98 * float(pace.partition("@")[2].removesuffix("fps"))  # plans know the rates of 40 poses, not of all
+        planned, _, mode = best([row for row in found if row["asked"] == pace], rate)
         size_db, size, size_mode = best(of_size, rate)
         yield {"scene": found[0]["scene"], "for": pace, "db": planned, "mode": mode, "size_db": size_db, "size": size, "size_mode": size_mode}
 
@@ -63,7 +63,7 @@ def rows(scene, options):
     paces = options.paces.split(",") if options.paces else []
     sizes = options.sizes.split(",")
     wanted = {**({} if paces else {"default": []}), **{size: ["--fit", size, "--fill"] for size in sizes},
-              **{pace: ["--fit", sizes[-1], "--for", pace] for pace in paces}}
+              **{pace: ["--fit", sizes[-1], "--fill", "--for", pace] for pace in paces}}
     folder = options.work / scene.parent.name
     folder.mkdir(parents=True, exist_ok=True)
     fields = {name: folder / f"{scene.stem}-{name}-{options.paths}.lumi" for name in wanted}
