@@ -41,6 +41,7 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--fit", "5GB"}, "below 4 GB"},
         {{"--fit", "MB"}, "--fit takes a size"},
         {{"--fit", "1MB", "--for", "rp2040@30"}, "rp2040@30fps"},
+        {{"--for", "rp2040x3@30fps"}, "rp2040x2@30fps for both cores"},
         {{"--fit", "1MB", "--for", "z80@30fps"}, "esp32c3"},
         {{"--fit", "1MB", "--shard", "1/2"}, "--shard does not go with --fit"},
         {{"--fit", "1MB", "--layout", "chord", "--triangles", "64"}, "--layout chord"},

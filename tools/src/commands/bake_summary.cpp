@@ -195,8 +195,10 @@ std::string text_of(const baker::SurfacePlan& plan)
 }
 
 // How a bake within these limits gets more triangles than the plan has.
-std::string more_triangles(const baker::SurfaceLimits& limits, uint32_t planned)
+std::string more_triangles(const BakeOptions& options, uint32_t planned)
 {
+    const baker::SurfaceLimits& limits = options.limits;
+    if (options.is_paced()) return "ask for a lower rate, which leaves time for triangles";
     if (!limits.chooses_triangles || planned >= baker::kMostPlannedTriangles)
         return "give more --triangles than " + std::to_string(planned);
     return "give more bytes, which buy triangles: --fit " + std::to_string(2 * limits.bytes / 1000) + "kB";
@@ -217,9 +219,9 @@ std::string enough_text(const baker::SurfacePlan& plan, const char* unknown)
            std::to_string(plan.enough_bytes / 1000) + "kB";
 }
 
-std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const baker::SurfaceLimits& limits)
+std::vector<std::string> warnings_of(const baker::SurfacePlan& plan, const BakeOptions& options)
 {
-    const std::string more = more_triangles(limits, plan.settings.triangles);
+    const std::string more = more_triangles(options, plan.settings.triangles);
     std::vector<std::string> warnings;
     for (const baker::MeshWarning& warning : plan.warnings) warnings.push_back(text_of(warning, more));
     if (!plan.against.empty()) warnings.push_back(plan.against + enough_text(plan, "; --layout chord shows all of it"));
@@ -338,8 +340,7 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
               options.fit.plan_only ? "" : "lumi: ", (plan.against + enough_text(plan, "")).c_str());
     }
     std::fflush(stdout);
-    const std::vector<std::string> warnings =
-        takes_surface ? warnings_of(plan, options.limits) : std::vector<std::string>{};
+    const std::vector<std::string> warnings = takes_surface ? warnings_of(plan, options) : std::vector<std::string>{};
     for (const std::string& warning : warnings) print(stderr, "lumi: warning: %s\n", warning.c_str());
     return warnings.size();
 }

@@ -141,10 +141,11 @@ void add_pace_option(CLI::App& command, std::vector<planner::Pace>& paces, const
     const auto set = [&paces, takes_two](const std::string& word) {
         const auto pace = planner::parse_pace(word);
         if (!pace || (pace->cores != 1 && !takes_two))
-            throw CLI::ValidationError("--for",
-                                       "takes parts with or without a frame rate, such as rp2040 or rp2040@30fps, "
-                                       "with " +
-                                           planner::chip_names() + ", not \"" + word + "\"");
+            throw CLI::ValidationError(
+                "--for",
+                std::string("takes parts with or without a frame rate, such as rp2040 or ") +
+                    (takes_two ? "rp2040@30fps, or rp2040x2@30fps for both cores, " : "rp2040@30fps, of one core, ") +
+                    "with " + planner::chip_names() + ", not \"" + word + "\"");
         paces.push_back(*pace);
     };
     add_list(command, "--for", set, description + ": " + planner::chip_names())->type_name("PART[@RATEfps],...");
