@@ -51,6 +51,8 @@ set(LUMI_CORE_SOURCES
   src/surface/blends_swapped.cpp
   src/surface/see_through.cpp
   src/surface/split.cpp
+  src/surface/state_records.cpp
+  src/surface/states.cpp
   src/surface/target.cpp
   src/surface/field.cpp
   src/surface/view_nodes.cpp

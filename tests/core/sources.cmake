@@ -36,6 +36,8 @@ set(LUMI_CORE_TEST_SOURCES
   surface/planes_test.cpp
   surface/render_test.cpp
   surface/see_through_test.cpp
+  surface/state_records_test.cpp
+  surface/states_test.cpp
   surface/field_test.cpp
   surface/surface_twin_test.cpp
   surface/view_nodes_test.cpp

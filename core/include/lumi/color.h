@@ -14,6 +14,12 @@ struct Rgb8 {
     uint8_t r, g, b;
 };
 
+// How much of a state's light shows (surface/states.h): 0 to kFullWeight; more counts as that.
+inline constexpr uint32_t kFullWeight = 4096;
+struct StateWeight {
+    uint16_t r_q12, g_q12, b_q12;
+};
+
 }  // namespace lumi
 
 namespace lumi::detail

@@ -49,6 +49,7 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_see_through,  // the wrong size, an order that is not known, or a first patch that does not exist
     parts,            // open_surface only: moving parts, which its SurfaceFeatures do not name
     bad_parts,        // the wrong size, a number out of range, or a patch that shares vertices with another part
+    bad_states,       // the section of light states has the wrong size, no name, or a number out of range
 };
 
 // Returns one short English phrase per error, for logs. Linked only if called.

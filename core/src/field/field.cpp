@@ -14,9 +14,9 @@ using namespace detail;
 using namespace detail::format;
 using namespace detail::container;
 
-constexpr uint32_t kAllTypes[] = {kLayoutSection, kTexelSection,     kPaletteSection,    kSurfaceSection,
-                                  kVertexSection, kPatchSection,     kColourSection,     kPaletteRgb,
-                                  kViewSection,   kNeighbourSection, kSeeThroughSection, kPartsSection};
+constexpr uint32_t kAllTypes[] = {
+    kLayoutSection, kTexelSection, kPaletteSection,   kSurfaceSection,    kVertexSection, kPatchSection, kColourSection,
+    kPaletteRgb,    kViewSection,  kNeighbourSection, kSeeThroughSection, kPartsSection,  kStatesSection};
 
 }  // namespace
 
@@ -106,6 +106,8 @@ const char* describe(FieldError error)
             return "the field has moving parts (section SPRT), which this reader does not draw";
         case FieldError::bad_parts:
             return "the section of moving parts is malformed, or parts share vertices";
+        case FieldError::bad_states:
+            return "the section of light states is malformed";
     }
     return "unknown error";
 }

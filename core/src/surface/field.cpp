@@ -29,7 +29,7 @@ FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
     const auto count_at = [&](uint32_t at) { return static_cast<uint16_t>(load_u16(b + at)); };
     out.vertex_count = count_at(surface::kVerticesAt);
-    out.viewed_count = count_at(surface::kViewedAt);
+    out.lit_count = out.viewed_count = count_at(surface::kViewedAt);
     out.patch_count = count_at(surface::kPatchesAt);
     out.texel_bytes = load_u32(b + surface::kTexelsAt);
     out.longest_edge_q6 = b[surface::kLongestEdgeAt];

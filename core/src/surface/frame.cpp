@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A frame's vertices and lists of triangles.
-#include "lumi/surface/detail/view_nodes.h"
 #include "surface/preparing.h"
+#include "surface/view_light.h"
 
 namespace lumi::detail
 {
@@ -11,47 +11,25 @@ namespace
 static_assert(2 * format::kMaxPatches <= kLinkMask + 1, "a link holds every triangle's number");
 static_assert(kBandReach <= 1 << (16 - kLinkBits), "and how far it reaches");
 
-// Three signed fields of 10 bits below each other, see red_q2.
-uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
-{
-    const auto field = [](int32_t v) { return static_cast<uint32_t>(v < -511 ? -511 : v > 511 ? 511 : v) & 0x3FF; };
-    return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
-}
-
-// Which of its colours a node has. What follows the last code in a record is read, too.
-uint32_t code_of(const uint8_t* record, uint32_t node, uint32_t bits)
-{
-    const uint32_t at = node * bits;
-    const uint8_t* p = record + (at >> 3);
-    const auto pair = static_cast<uint32_t>(p[0] | p[1] << 8);
-    return pair >> (at & 7) & ((1u << bits) - 1);
-}
-
 }  // namespace
 
 uint32_t lit_colour(const SurfaceFrame& frame, uint32_t vertex)
 {
-    if (vertex >= frame.field.viewed_count) return 0;
+    if (vertex >= frame.field.lit_count) return 0;
     LUMI_TALLY(Work::lit, 1);
     const uint32_t bits = frame.field.code_bits;
     const uint8_t* record = frame.field.views + vertex * format::view_bytes(bits);
     const uint8_t* turn = record + format::view_turn_at(bits);
-    const auto number = [](const uint8_t* p) { return static_cast<int32_t>(static_cast<int8_t>(*p)); };
-    const SurfaceProjection& p = frame.projection;
-    const VertexQ14 v = surface_vertex(frame.field, vertex);
-    const ViewDirection to_eye = {p.viewer.x - (v.x >> p.viewer_shift), p.viewer.y - (v.y >> p.viewer_shift),
-                                  p.viewer.z - (v.z >> p.viewer_shift)};
-    const ViewDirection d = in_view_frame(to_eye, number(turn), number(turn + 1), number(turn + 2));
-    const ViewTaps taps = view_taps(d.x, d.y, d.z);
+    const ViewTaps taps = taps_of_vertex(frame.field, frame.projection, vertex, turn);
     int32_t r = 0, g = 0, b = 0;
     for (int m = 0; m < 3; ++m) {
         const uint32_t node = taps.node[m];
         const uint32_t which = (node << bits) + code_of(record, node, bits);
         const uint8_t* colour = frame.field.node_colours + which * format::kNodeColourBytes;
         const int32_t weight = taps.weight_q8[m];
-        r += weight * number(colour);
-        g += weight * number(colour + 1);
-        b += weight * number(colour + 2);
+        r += weight * signed_byte(colour);
+        g += weight * signed_byte(colour + 1);
+        b += weight * signed_byte(colour + 2);
     }
     // Weights have 8 bits of fraction, gains 6, the result 2.
     const uint8_t* gain = turn + format::kTurnBytes;

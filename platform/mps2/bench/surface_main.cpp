@@ -55,7 +55,7 @@ Parts count_parts(const SurfaceField& field, const SurfaceView& view, uint64_t w
 {
     const SurfaceField opaque = opaque_alone(field);
     SurfaceField unlit = opaque, bare = opaque, empty = opaque;
-    unlit.viewed_count = 0;
+    unlit.lit_count = 0;
     bare.patch_count = 0;
     empty.patch_count = empty.vertex_count = 0;
     const auto preparing = [&](const SurfaceField& f) {

@@ -91,7 +91,7 @@ private:
         const bool has_tables = field.viewed_count != 0;
         if (!kWays[k].view_tables) {
             if (!has_tables) return;  // the way with tables is the same
-            field.viewed_count = 0;
+            field.lit_count = 0;
         }
         SurfaceDrawSettings settings;
         settings.mode = kWays[k].mode;

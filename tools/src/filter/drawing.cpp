@@ -53,7 +53,7 @@ void put_coverage(const Picture& over_black, const Picture& over_white, Planes& 
 Picture mean_colours(const SurfaceField& field, const Eye& eye)
 {
     SurfaceField plain = field;
-    plain.viewed_count = 0;
+    plain.lit_count = 0;
     plain.views = plain.node_colours = nullptr;
     tools::SurfaceDrawSettings settings;
     settings.mode = SurfaceMode::one_sample;

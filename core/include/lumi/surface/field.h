@@ -13,8 +13,9 @@ namespace lumi
 {
 
 // A field may have these besides opaque triangles that rest, and a firmware draws them or not: a mask, the same in
-// every call. Code that draws the others is not linked. `parts` are those that move.
-enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, parts = 4, all = 7 };
+// every call. Code that draws the others is not linked. `parts` are those that move, `states` lights whose weights are
+// chosen; without it a field shows all of them at their full weight.
+enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, parts = 4, states = 8, all = 15 };
 
 constexpr SurfaceFeatures operator|(SurfaceFeatures a, SurfaceFeatures b)
 {
@@ -38,12 +39,18 @@ struct SurfaceField {
     const uint8_t* parts = nullptr;         // the records of moving parts, part_count × kPartBytes, or null
     const uint8_t* sphere = nullptr;        // centre and radius: 4 × IEEE binary32, with which core never computes
     uint32_t texel_bytes = 0;
-    uint16_t vertex_count = 0, viewed_count = 0;
+    uint16_t vertex_count = 0;
+    uint16_t lit_count = 0;  // vertices 0 .. this - 1 are lit by these tables: all of them, or none (surface/states.h)
     uint16_t patch_count = 0, see_through_count = 0;  // see-through patches lie behind the opaque ones
     ColourSpace colour_space = ColourSpace::srgb;
     uint8_t code_bits = 0;        // of view tables
     uint8_t longest_edge_q6 = 0;  // radii
     uint8_t part_count = 0;       // records of parts: shadows come last
+    // Last, so that what is read for every triangle and vertex lies near the beginning.
+    const uint8_t* states = nullptr;  // the section of light states, or null
+    uint16_t viewed_count = 0;
+    uint8_t state_count = 0;
+    bool has_states_of_see_through = false;  // the section has them, whether or not such patches are read
 };
 
 // How a part moves, and how far: formats of surface/format.h.
@@ -72,11 +79,12 @@ uint32_t first_patch_of_part(const SurfaceField& field, uint32_t part);
 namespace lumi::detail
 {
 
-// Opens what fields of all kinds have, and refuses what `known` does not name. The other two read and check what it
-// names, see-through patches first.
+// Opens what fields of all kinds have, and refuses what `known` does not name. The others read and check what it names,
+// see-through patches first.
 FieldError open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures known, SurfaceField& out);
 FieldError read_see_through(const uint8_t* bytes, SurfaceField& field);
 FieldError read_parts(const uint8_t* bytes, SurfaceField& field);
+FieldError read_states(const uint8_t* bytes, SurfaceField& field);
 
 struct VertexQ14 {
     int32_t x, y, z;
@@ -129,6 +137,8 @@ FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
         if (error == FieldError::none) error = detail::read_see_through(bytes, field);
     if constexpr (has(kFeatures, SurfaceFeatures::parts))
         if (error == FieldError::none) error = detail::read_parts(bytes, field);
+    if constexpr (has(kFeatures, SurfaceFeatures::states))
+        if (error == FieldError::none) error = detail::read_states(bytes, field);
     if (error == FieldError::none) out = field;
     return error;
 }

@@ -124,6 +124,39 @@ inline constexpr uint32_t kNameAt = 40;  // UTF-8, not empty, zeros behind it
 inline constexpr uint32_t kNameBytes = 40;
 }  // namespace part
 
+// Light states: groups of lights whose weights a device chooses. Readers that do not know the section draw what the
+// field's palettes and view tables say, which is all weights 1. It holds the number of states and three zeros, a record
+// for each state, and then for each state in turn what the surface shows under it alone:
+//   palettes, 256 × (r, g, b); where the file has see-through parts, what these add, 256 × (r, g, b); where it has view
+//   tables, node colours as theirs. Then for each vertex with a table a byte, which entry of the palette is its mean,
+//   and its gains for each state.
+// All are encoded after a division by the state's scale: linear light is scale/16 · decode(entry). Codes and turns are
+// those of the view tables.
+inline constexpr uint32_t kMinStates = 2, kMaxStates = 4;
+namespace states
+{
+inline constexpr uint32_t kCountAt = 0;    // u8, then three zeros
+inline constexpr uint32_t kRecordsAt = 4;  // of kRecordBytes each
+inline constexpr uint32_t kRecordBytes = 32;
+inline constexpr uint32_t kNameBytes = 28;  // UTF-8, not empty, zeros behind it
+inline constexpr uint32_t kScaleAt = 28;    // u8, Q4, kOneQ4 .. 255, then three zeros
+inline constexpr uint32_t kOneQ4 = 16;
+inline constexpr uint32_t kEntryBytes = 3;
+inline constexpr uint32_t kPaletteBytes = kPaletteEntries * kEntryBytes;
+}  // namespace states
+constexpr uint32_t states_palettes_at(uint32_t count)
+{
+    return states::kRecordsAt + count * states::kRecordBytes;
+}
+constexpr uint32_t states_see_through_at(uint32_t count)
+{
+    return states_palettes_at(count) + count * states::kPaletteBytes;
+}
+constexpr uint32_t states_views_at(uint32_t count, bool has_see_through)
+{
+    return states_see_through_at(count) + (has_see_through ? count * states::kPaletteBytes : 0);
+}
+
 // View tables: colours of nodes, 2^bits each, then a record for each vertex that has a table. In a record the code of
 // node k, which of its colours the node has, is bits k·bits .. (k + 1)·bits - 1 from the lowest bit of byte 0 on.
 // Behind the codes lie kTurnBytes and kGainBytes.
@@ -145,6 +178,17 @@ constexpr uint32_t view_turn_at(uint32_t bits)
 constexpr uint32_t view_bytes(uint32_t bits)
 {
     return view_turn_at(bits) + kTurnBytes + kGainBytes;
+}
+
+// The section of states has for a vertex so many bytes, and in all of them so many.
+constexpr uint32_t state_vertex_bytes(uint32_t count)
+{
+    return 1 + count * kGainBytes;
+}
+constexpr uint32_t states_bytes(uint32_t count, bool has_see_through, uint32_t viewed, uint32_t bits)
+{
+    const uint32_t views = viewed == 0 ? 0 : count * view_colours_bytes(bits) + viewed * state_vertex_bytes(count);
+    return states_views_at(count, has_see_through) + views;
 }
 
 }  // namespace lumi::detail::format

@@ -86,9 +86,9 @@ struct SurfaceMemory {
     // Scanlines a band, 2^0 .. 2^8: see surface_band_log2. Where several
     // triangles have one depth, the bands decide which one shows.
     uint32_t band_log2;
-    // feature_words() of the field, for see-through patches and moving parts; for 0, and where no call names these,
-    // null. Where parts move these words are 0 before the first frame, and they belong to the same frame until the
-    // field or the format of pixels changes.
+    // feature_words() of the field, for see-through patches, moving parts and light states; for 0, and where no call
+    // names these, null. Where parts move these words are 0 before the first frame, and they belong to the same frame
+    // until the field or the format of pixels changes.
     uint32_t* features = nullptr;
 };
 
@@ -104,9 +104,18 @@ constexpr uint32_t part_words(uint32_t parts)
     return parts == 0 ? 0 : 5 + 35 * parts;
 }
 
+// Counts those of light states: their weights, the palette that these make, and what see-through patches then add.
+constexpr uint32_t state_words(uint32_t states, uint32_t see_through_patches)
+{
+    constexpr uint32_t kPalette = detail::format::states::kPaletteBytes / 4,
+                       kGlass = detail::format::kSeeThroughBytes / 4;
+    return states == 0 ? 0 : 2 * states + kPalette + (see_through_patches == 0 ? 0 : kGlass);
+}
+
 constexpr uint32_t feature_words(const SurfaceField& field)
 {
-    return see_through_words(field.see_through_count) + part_words(field.part_count);
+    return see_through_words(field.see_through_count) + part_words(field.part_count) +
+           state_words(field.state_count, field.see_through_count);
 }
 
 constexpr uint32_t surface_links(uint32_t patches)
@@ -173,6 +182,9 @@ void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
 // After that it lists the see-through triangles that face the eye, in the field's order, and lights them.
 void put_see_through(SurfaceFrame& frame);
 
+// After all triangles were listed it lights what the file's view tables have not, by the weights of states.
+void put_states(SurfaceFrame& frame);
+
 // Parts may move if there is memory for them; else they rest.
 inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)
 {
@@ -236,6 +248,7 @@ void end_frame(SurfaceFrame& frame)
         put_see_through(frame);
         if (frame.field.see_through_count != 0) put_see_through_palette<Pixel>(frame);
     }
+    if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(frame);
 }
 
 // `make_body` places the body, lists it, and finds its outlines.
@@ -255,6 +268,7 @@ void prepare_moving(const SurfaceField& field, const SurfaceCamera& camera, Surf
     if (!keeps_body) return end_frame<Pixel, kFeatures>(out);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through))
         if (mover_count(field) != field.part_count) put_see_through(out);  // shadows have moved
+    if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(out);
 }
 
 }  // namespace lumi::detail

@@ -19,7 +19,7 @@ tools::Picture levels(SurfaceField field, const std::vector<uint8_t>& texels, co
     for (size_t k = 0; k < grey.size(); ++k) grey[k] = static_cast<uint8_t>(k / 3);
     field.texels = texels.data();
     field.palette = grey.data();
-    field.viewed_count = 0;
+    field.lit_count = 0;
     return tools::draw_surface(field, eye, {SurfaceMode::one_sample, tools::DisplayFormat::rgb888, {0, 0, 0}});
 }
 
