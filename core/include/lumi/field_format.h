@@ -75,7 +75,7 @@ inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
 // Where parts move, required: 4 + parts × kPartBytes.
 inline constexpr uint32_t kPartsSection = four_cc('S', 'P', 'R', 'T');
 // Where lights have weights that a device chooses, optional: states_bytes().
-inline constexpr uint32_t kStatesSection = four_cc('S', 'S', 'T', 'A');
+inline constexpr uint32_t kStateSection = four_cc('S', 'S', 'T', 'A');
 // Optional, four zeros: the field is a first look, coarse and of few light paths.
 inline constexpr uint32_t kDraftSection = four_cc('D', 'R', 'F', 'T');
 

@@ -22,15 +22,15 @@ bool is_zero(const uint8_t* bytes, uint32_t count)
 uint32_t name_bytes(const uint8_t* record)
 {
     uint32_t bytes = 0;
-    while (bytes < states::kNameBytes && record[bytes] != 0) ++bytes;
+    while (bytes < state::kNameBytes && record[bytes] != 0) ++bytes;
     return bytes;
 }
 
 bool is_record(const uint8_t* record)
 {
     const uint32_t bytes = name_bytes(record);
-    return bytes != 0 && is_zero(record + bytes, states::kNameBytes - bytes) &&
-           record[states::kScaleAt] >= states::kOneQ4 && is_zero(record + states::kScaleAt + 1, 3);
+    return bytes != 0 && is_zero(record + bytes, state::kNameBytes - bytes) &&
+           record[state::kScaleAt] >= state::kOneQ4 && is_zero(record + state::kScaleAt + 1, 3);
 }
 
 // Readers that do not know the section take any number of them.
@@ -38,7 +38,7 @@ uint32_t sections_of_states(const uint8_t* bytes)
 {
     uint32_t count = 0;
     for (uint32_t k = 0; k < section_count(bytes); ++k)
-        if (section_at(bytes, k).type == kStatesSection) ++count;
+        if (section_at(bytes, k).type == kStateSection) ++count;
     return count;
 }
 
@@ -47,17 +47,17 @@ uint32_t sections_of_states(const uint8_t* bytes)
 FieldError detail::read_states(const uint8_t* bytes, SurfaceField& field)
 {
     Section section{};
-    if (!find_section(bytes, kStatesSection, section)) return FieldError::none;
+    if (!find_section(bytes, kStateSection, section)) return FieldError::none;
     if (sections_of_states(bytes) != 1) return FieldError::duplicate_section;
     const uint8_t* const at = bytes + section.offset;
-    if (section.size < states::kRecordsAt) return FieldError::bad_states;
-    const uint32_t count = at[states::kCountAt];
+    if (section.size < kStatesHeaderBytes) return FieldError::bad_states;
+    const uint32_t count = at[0];
     const bool has_see_through = has_section(bytes, kSeeThroughSection);
     if (count < kMinStates || count > kMaxStates || !is_zero(at + 1, 3) ||
         section.size != states_bytes(count, has_see_through, field.viewed_count, field.code_bits))
         return FieldError::bad_states;
     for (uint32_t k = 0; k < count; ++k)
-        if (!is_record(at + states::kRecordsAt + k * states::kRecordBytes)) return FieldError::bad_states;
+        if (!is_record(at + kStatesHeaderBytes + k * kStateBytes)) return FieldError::bad_states;
     field.states = at;
     field.state_count = static_cast<uint8_t>(count);
     field.has_states_of_see_through = has_see_through;
@@ -66,7 +66,7 @@ FieldError detail::read_states(const uint8_t* bytes, SurfaceField& field)
 
 StateName state_name(const SurfaceField& field, uint32_t state)
 {
-    const uint8_t* const record = field.states + states::kRecordsAt + state * states::kRecordBytes;
+    const uint8_t* const record = field.states + kStatesHeaderBytes + state * kStateBytes;
     return {reinterpret_cast<const char*>(record), name_bytes(record)};
 }
 

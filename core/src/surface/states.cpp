@@ -116,7 +116,7 @@ Mix mix_of(const SurfaceField& field, const SurfaceMemory& memory)
     Mix mix{};
     mix.count = field.state_count;
     for (uint32_t k = 0; k < mix.count; ++k) {
-        const uint32_t scale_q4 = field.states[states::kRecordsAt + k * states::kRecordBytes + states::kScaleAt];
+        const uint32_t scale_q4 = field.states[kStatesHeaderBytes + k * kStateBytes + state::kScaleAt];
         const StateWeight& weight = weight_of(field, memory, k);
         const auto factor = [&](uint32_t weight_q12) { return (weight_q12 * scale_q4 + 8) >> 4; };
         mix.factor_q12[k][0] = factor(weight.r_q12);
@@ -138,7 +138,7 @@ void mix_palette(const Mix& mix, const uint8_t* entries, uint8_t* out, uint32_t 
         for (uint32_t c = 0; c < kChannels; ++c, ++entries) {
             uint32_t light_q17 = 0;
             for (uint32_t k = 0; k < mix.count; ++k)
-                light_q17 += scaled(mix.factor_q12[k][c], kLevels.light_q15[entries[k * states::kPaletteBytes]]);
+                light_q17 += scaled(mix.factor_q12[k][c], kLevels.light_q15[entries[k * state::kPaletteBytes]]);
             out[c] = static_cast<uint8_t>((level_q6_of(light_q17) + 32) >> 6);
         }
     }
@@ -149,10 +149,10 @@ void mix_all(SurfaceField& field, const SurfaceMemory& memory)
 {
     const Mix mix = mix_of(field, memory);
     uint8_t* const palette = palette_of(field, memory);
-    mix_palette(mix, field.states + states_palettes_at(mix.count), palette, states::kEntryBytes);
+    mix_palette(mix, field.states + states_palettes_at(mix.count), palette, state::kEntryBytes);
     if (field.see_through_count != 0)
         mix_palette(mix, field.states + states_see_through_at(mix.count),
-                    palette + states::kPaletteBytes + see_through::kPaletteAt, see_through::kEntryBytes);
+                    palette + state::kPaletteBytes + see_through::kPaletteAt, see_through::kEntryBytes);
     if (may_move(field, memory)) moving_parts(field, memory).has_body = false;
 }
 
@@ -194,8 +194,8 @@ uint32_t colour_by_states(const StateLight& light, const SurfaceProjection& proj
         const uint32_t node = taps.node[m];
         tap[m] = light.nodes + ((node << bits) + code_of(record, node, bits)) * kNodeColourBytes;
     }
-    const uint8_t* gain = light.vertices + vertex * state_vertex_bytes(light.mix.count);
-    const uint32_t mean = *gain++ * states::kEntryBytes;
+    const uint8_t* gain = light.vertices + vertex * state_view_bytes(light.mix.count);
+    const uint32_t mean = *gain++ * state::kEntryBytes;
     const uint8_t* entry = light.palettes + mean;
     uint32_t light_q17[kChannels] = {};
     for (uint32_t k = 0; k < light.mix.count; ++k) {
@@ -207,7 +207,7 @@ uint32_t colour_by_states(const StateLight& light, const SurfaceProjection& proj
         }
         for (const uint8_t*& at : tap) at += light.node_bytes;
         gain += kGainBytes;
-        entry += states::kPaletteBytes;
+        entry += state::kPaletteBytes;
     }
     const auto difference_q2 = [&](uint32_t c) {
         return static_cast<int32_t>((level_q6_of(light_q17[c]) + 8) >> 4) - 4 * int32_t{light.mixed[mean + c]};
@@ -254,7 +254,7 @@ void reset_states(SurfaceField& field, const SurfaceMemory& memory)
     for (uint32_t k = 0; k < field.state_count; ++k) weight_of(field, memory, k) = {kFull, kFull, kFull};
     uint8_t* const palette = palette_of(field, memory);
     if (field.see_through_count != 0) {
-        uint8_t* const see_through = palette + states::kPaletteBytes;
+        uint8_t* const see_through = palette + state::kPaletteBytes;
         for (uint32_t k = 0; k < kSeeThroughBytes; ++k) see_through[k] = field.see_through[k];
         field.see_through = see_through;
     }

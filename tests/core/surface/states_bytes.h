@@ -35,8 +35,8 @@ inline TestLight light_of(const TestSurface& s, const std::vector<TestState>& st
     using namespace detail::format;
     const size_t count = states.size();
     return {states,
-            scattered_bytes(count * states::kPaletteBytes, 1),
-            scattered_bytes(count * states::kPaletteBytes, 2),
+            scattered_bytes(count * state::kPaletteBytes, 1),
+            scattered_bytes(count * state::kPaletteBytes, 2),
             scattered_bytes(s.viewed == 0 ? 0 : count * view_colours_bytes(s.code_bits), 3),
             scattered_bytes(s.viewed, 4),
             scattered_bytes(count * s.viewed * kGainBytes, 5)};
@@ -48,7 +48,7 @@ inline TestSection states_section(const TestLight& light, bool has_glass)
     put32(b, static_cast<uint32_t>(light.states.size()));
     for (const TestState& state : light.states) {
         b.insert(b.end(), state.name.begin(), state.name.end());
-        b.resize(b.size() + detail::format::states::kNameBytes - state.name.size());
+        b.resize(b.size() + detail::format::state::kNameBytes - state.name.size());
         put32(b, state.scale_q4);
     }
     const auto add = [&](const Bytes& bytes) { b.insert(b.end(), bytes.begin(), bytes.end()); };
@@ -60,7 +60,7 @@ inline TestSection states_section(const TestLight& light, bool has_glass)
         b.push_back(light.means[v]);
         for (size_t k = 0; k < gains; ++k) b.push_back(light.gains[v * gains + k]);
     }
-    return {detail::format::kStatesSection, 0, b};
+    return {detail::format::kStateSection, 0, b};
 }
 
 // Adds it to sections that were written before.

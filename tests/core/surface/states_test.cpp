@@ -131,7 +131,7 @@ struct Reference {
     {
         double sum = 0;
         for (size_t k = 0; k < weights.size(); ++k)
-            sum += factor(k, c) * light_of_level(entries[k * format::states::kPaletteBytes + 3 * entry + c]);
+            sum += factor(k, c) * light_of_level(entries[k * format::state::kPaletteBytes + 3 * entry + c]);
         return level_of_light(sum);
     }
     // Of a vertex beside the mixed palette's level; `taps` are those that core reads.
@@ -152,7 +152,7 @@ struct Reference {
                 d += taps.weight_q8[m] / 256.0 * static_cast<int8_t>(light.nodes[at]);
             }
             const double gain = light.gains[(vertex * weights.size() + k) * 3 + c] / 64.0;
-            const double level = light.palettes[k * format::states::kPaletteBytes + 3 * mean + c] + gain * d;
+            const double level = light.palettes[k * format::state::kPaletteBytes + 3 * mean + c] + gain * d;
             sum += factor(k, c) * light_of_level(std::clamp(level, 0.0, 255.0));
         }
         return level_of_light(sum) - field.palette[3 * mean + c];
@@ -233,25 +233,24 @@ TEST_CASE("one state alone at its full weight shows its palette as it is")
 {
     const TestSurface s = ball_with_tables();
     TestLight light = light_of(s, {{"base"}, {"lamp"}});
-    for (uint32_t k = 0; k < format::states::kPaletteBytes; ++k)
-        light.palettes[format::states::kPaletteBytes + k] = static_cast<uint8_t>(k / 3);
+    for (uint32_t k = 0; k < format::state::kPaletteBytes; ++k)
+        light.palettes[format::state::kPaletteBytes + k] = static_cast<uint8_t>(k / 3);
     const OpenedGlass opened(file_with_states(surface_sections(s), light));
     Lit lit(opened.field());
     for (uint32_t state = 0; state < 2; ++state) {
         lit.reset();
         REQUIRE(lit.set(1 - state, {0, 0, 0}));
-        CHECK(std::equal(light.palettes.begin() + state * format::states::kPaletteBytes,
-                         light.palettes.begin() + (state + 1) * format::states::kPaletteBytes, lit.field().palette));
+        CHECK(std::equal(light.palettes.begin() + state * format::state::kPaletteBytes,
+                         light.palettes.begin() + (state + 1) * format::state::kPaletteBytes, lit.field().palette));
     }
     lit.set(1, {0, 0, 0});
     lit.set(0, {0, 0, 0});
-    for (uint32_t k = 0; k < format::states::kPaletteBytes; ++k) CHECK(lit.field().palette[k] == 0);
+    for (uint32_t k = 0; k < format::state::kPaletteBytes; ++k) CHECK(lit.field().palette[k] == 0);
     lit.look(extreme_views(kSide)[0], SurfaceMode::one_sample);
     for (uint32_t v = 0; v < s.viewed; ++v) CHECK(lit.memory().vertices[v].colour <= kUnlit);
     CHECK(!lit.set(2, {1, 1, 1}));
     lit.set(1, {65535, 5000, 4097});  // count as full ones
-    CHECK(
-        std::equal(light.palettes.begin() + format::states::kPaletteBytes, light.palettes.end(), lit.field().palette));
+    CHECK(std::equal(light.palettes.begin() + format::state::kPaletteBytes, light.palettes.end(), lit.field().palette));
     const OpenedGlass without(surface_file(s));
     CHECK(!Lit(without.field()).set(0, {1, 1, 1}));
 }

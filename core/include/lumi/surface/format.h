@@ -133,28 +133,28 @@ inline constexpr uint32_t kNameBytes = 40;
 // All are encoded after a division by the state's scale: linear light is scale/16 · decode(entry). Codes and turns are
 // those of the view tables.
 inline constexpr uint32_t kMinStates = 2, kMaxStates = 4;
-namespace states
+inline constexpr uint32_t kStatesHeaderBytes = 4;  // the number, u8, and zeros
+inline constexpr uint32_t kStateBytes = 32;
+namespace state
 {
-inline constexpr uint32_t kCountAt = 0;    // u8, then three zeros
-inline constexpr uint32_t kRecordsAt = 4;  // of kRecordBytes each
-inline constexpr uint32_t kRecordBytes = 32;
-inline constexpr uint32_t kNameBytes = 28;  // UTF-8, not empty, zeros behind it
-inline constexpr uint32_t kScaleAt = 28;    // u8, Q4, kOneQ4 .. 255, then three zeros
+inline constexpr uint32_t kNameAt = 0;  // UTF-8, not empty, zeros behind it
+inline constexpr uint32_t kNameBytes = 28;
+inline constexpr uint32_t kScaleAt = 28;  // u8, Q4, kOneQ4 .. 255, then three zeros
 inline constexpr uint32_t kOneQ4 = 16;
 inline constexpr uint32_t kEntryBytes = 3;
 inline constexpr uint32_t kPaletteBytes = kPaletteEntries * kEntryBytes;
-}  // namespace states
+}  // namespace state
 constexpr uint32_t states_palettes_at(uint32_t count)
 {
-    return states::kRecordsAt + count * states::kRecordBytes;
+    return kStatesHeaderBytes + count * kStateBytes;
 }
 constexpr uint32_t states_see_through_at(uint32_t count)
 {
-    return states_palettes_at(count) + count * states::kPaletteBytes;
+    return states_palettes_at(count) + count * state::kPaletteBytes;
 }
 constexpr uint32_t states_views_at(uint32_t count, bool has_see_through)
 {
-    return states_see_through_at(count) + (has_see_through ? count * states::kPaletteBytes : 0);
+    return states_see_through_at(count) + (has_see_through ? count * state::kPaletteBytes : 0);
 }
 
 // View tables: colours of nodes, 2^bits each, then a record for each vertex that has a table. In a record the code of
@@ -181,13 +181,13 @@ constexpr uint32_t view_bytes(uint32_t bits)
 }
 
 // The section of states has for a vertex so many bytes, and in all of them so many.
-constexpr uint32_t state_vertex_bytes(uint32_t count)
+constexpr uint32_t state_view_bytes(uint32_t count)
 {
     return 1 + count * kGainBytes;
 }
 constexpr uint32_t states_bytes(uint32_t count, bool has_see_through, uint32_t viewed, uint32_t bits)
 {
-    const uint32_t views = viewed == 0 ? 0 : count * view_colours_bytes(bits) + viewed * state_vertex_bytes(count);
+    const uint32_t views = viewed == 0 ? 0 : count * view_colours_bytes(bits) + viewed * state_view_bytes(count);
     return states_views_at(count, has_see_through) + views;
 }
 

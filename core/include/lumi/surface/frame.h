@@ -107,7 +107,7 @@ constexpr uint32_t part_words(uint32_t parts)
 // Counts those of light states: their weights, the palette that these make, and what see-through patches then add.
 constexpr uint32_t state_words(uint32_t states, uint32_t see_through_patches)
 {
-    constexpr uint32_t kPalette = detail::format::states::kPaletteBytes / 4,
+    constexpr uint32_t kPalette = detail::format::state::kPaletteBytes / 4,
                        kGlass = detail::format::kSeeThroughBytes / 4;
     return states == 0 ? 0 : 2 * states + kPalette + (see_through_patches == 0 ? 0 : kGlass);
 }
