@@ -17,7 +17,7 @@ constexpr uint32_t kTrialPaths = 4;  // light paths a texel: all trials have the
 constexpr int kTrialPoses = 40;      // that are drawn to rate a mesh
 constexpr uint32_t kFewestTriangles = 200;
 constexpr int kMostRefined = 3;       // meshes between those of ever fewer triangles
-constexpr float kLongestEdge = 0.6f;  // larger triangles may have longer ones
+constexpr float kLongestEdge = 0.4f;  // core draws longer ones in steps, so that fewer triangles take more time
 
 // A way of drawing a mesh.
 struct PacedWay {
@@ -70,8 +70,9 @@ private:
         baker::SurfaceSettings settings = largest_.settings;
         const double times = 1.0 * largest_.settings.triangles / triangles;
         settings.triangles = triangles;
-        const float longer = std::min(kLongestEdge, settings.longest_edge * static_cast<float>(std::sqrt(times)));
-        settings.longest_edge = std::max(settings.longest_edge, longer);
+        if (times != 1)
+            settings.longest_edge =
+                std::min(kLongestEdge, settings.longest_edge * static_cast<float>(std::sqrt(times)));
         limits.chooses_triangles = limits.chooses_edge = false;
         Trial trial = {baker::plan_surface(scene_, settings, limits, progress_), {}, {}, {}};
         if (!trial.plan.mesh || (!trial.plan.against.empty() && largest_.against.empty())) return false;
@@ -193,8 +194,8 @@ private:
     PacePlan chosen() const
     {
         struct Point {
-            const Trial* trial = nullptr;
-            size_t way = 0;
+            const Trial* trial;
+            size_t way;
             double share() const { return trial->share[way]; }
             double psnr_db() const { return trial->psnr_db[way]; }
         };
@@ -204,21 +205,21 @@ private:
                 if (trial.share[k] > 0 && trial.share[k] < 1e9) points.push_back({&trial, k});
         if (points.empty()) throw baker::BakeError("no mesh that was tried fits the RAM of the part");
         const auto best = [&](auto takes, auto is_better) {
-            Point found;
+            std::optional<Point> found;
             for (const Point& p : points)
-                if (takes(p) && (found.trial == nullptr || is_better(p, found))) found = p;
+                if (takes(p) && (!found || is_better(p, *found))) found = p;
             return found;
         };
         const auto shows_more = [](const Point& a, const Point& b) { return a.psnr_db() > b.psnr_db(); };
         const auto is_faster = [](const Point& a, const Point& b) { return a.share() > b.share(); };
-        Point choice = best([](const Point& p) { return p.share() >= 1; }, shows_more);
-        if (choice.trial == nullptr) choice = best([](const Point&) { return true; }, is_faster);
-        const Point slower = best([&](const Point& p) { return p.psnr_db() > choice.psnr_db(); }, is_faster);
-        const Point faster = best([&](const Point& p) { return p.share() > choice.share(); }, shows_more);
+        const auto keeps_pace = best([](const Point& p) { return p.share() >= 1; }, shows_more);
+        const Point choice = keeps_pace ? *keeps_pace : *best([](const Point&) { return true; }, is_faster);
+        const auto slower = best([&](const Point& p) { return p.psnr_db() > choice.psnr_db(); }, is_faster);
+        const auto faster = best([&](const Point& p) { return p.share() > choice.share(); }, shows_more);
         PacePlan plan = {field_of(*choice.trial, choice.way), {}, {}};
         if (!kWays[choice.way].view_tables) plan_without_tables(plan.chosen.plan);
-        if (slower.trial != nullptr) plan.slower = field_of(*slower.trial, slower.way);
-        if (faster.trial != nullptr) plan.faster = field_of(*faster.trial, faster.way);
+        if (slower) plan.slower = field_of(*slower->trial, slower->way);
+        if (faster) plan.faster = field_of(*faster->trial, faster->way);
         return plan;
     }
 
