@@ -4,7 +4,6 @@
 
 #include "lumi/surface/parts.h"
 #include "math/generate.h"
-#include "math/reciprocal.h"
 #include "surface/owners.h"
 #include "surface/view_light.h"
 
@@ -18,17 +17,17 @@ using namespace detail::format;
 
 constexpr uint32_t kWordsAWeight = 2;
 constexpr uint32_t kChannels = 3;
-constexpr int32_t kWhiteQ2 = 4 * 255;
 
 // Linear light: white is 2^15 in the table of levels and 2^17 in sums.
-constexpr uint32_t kWhiteQ15 = 1u << 15, kWhiteQ17 = 1u << 17;
-// Below this light a level is a multiple of it; above there are so many steps to each doubling of light.
-constexpr uint32_t kLinearLog2 = 8, kStepsLog2 = 4, kDoublings = 17 - kLinearLog2;
-constexpr uint32_t kSlopeQ16 = 105427;  // 12.92 · 255 · 2^6 / 2^17, Q16
+constexpr uint32_t kWhiteQ15 = 1u << 15, kWhiteLog2 = 17, kWhiteQ17 = 1u << kWhiteLog2;
+// The levels of light stand in two tables of even steps: for all light, and finer ones for what is dark.
+constexpr uint32_t kStepsLog2 = 7, kDarkLog2 = 5;
+constexpr uint32_t kRestBits = kWhiteLog2 - kStepsLog2;
+constexpr int32_t kMostQ2 = 1023;
 
 struct Levels {
-    uint16_t light_q15[kPaletteEntries + 1];  // of every level; the last is read, but not used
-    uint16_t level_q6[(kDoublings << kStepsLog2) + 1];
+    uint16_t light_q15[kMostQ2 + 1];  // of every quarter of a level
+    uint16_t level_q6[2][(1 << kStepsLog2) + 1];
 };
 
 // v^(1/n), 0 < v <= 1.
@@ -58,35 +57,30 @@ constexpr double level_of(double light)
 constexpr Levels make_levels()
 {
     Levels levels{};
-    for (uint32_t k = 0; k < kPaletteEntries; ++k)
-        levels.light_q15[k] = static_cast<uint16_t>(light_of(k / 255.0) * kWhiteQ15 + 0.5);
-    for (uint32_t k = 0; k <= kDoublings << kStepsLog2; ++k) {
-        const uint32_t steps = (1u << kStepsLog2) + (k & ((1u << kStepsLog2) - 1)), doubling = k >> kStepsLog2;
-        const double light = static_cast<double>(steps << doubling << (kLinearLog2 - kStepsLog2)) / kWhiteQ17;
-        levels.level_q6[k] = static_cast<uint16_t>(level_of(light) * 255 * 64 + 0.5);
+    for (uint32_t k = 0; k <= kMostQ2; ++k)
+        levels.light_q15[k] = static_cast<uint16_t>(light_of(k < 1020 ? k / 1020.0 : 1) * kWhiteQ15 + 0.5);
+    for (uint32_t k = 0; k <= 1u << kStepsLog2; ++k) {
+        const double light = static_cast<double>(k) / (1u << kStepsLog2);
+        levels.level_q6[0][k] = static_cast<uint16_t>(level_of(light) * 255 * 64 + 0.5);
+        levels.level_q6[1][k] = static_cast<uint16_t>(level_of(light / (1u << kDarkLog2)) * 255 * 64 + 0.5);
     }
     return levels;
 }
 
 constexpr Levels kLevels = make_levels();
 
-LUMI_ALWAYS_INLINE uint32_t light_of_level(int32_t level_q2)
-{
-    const uint16_t* const light = kLevels.light_q15 + (level_q2 >> 2);
-    return light[0] + (static_cast<uint32_t>(light[1] - light[0]) * static_cast<uint32_t>(level_q2 & 3) >> 2);
-}
-
 // Returns the level of a sum of light: white for all that is more.
 LUMI_ALWAYS_INLINE uint32_t level_q6_of(uint32_t light_q17)
 {
     if (light_q17 >= kWhiteQ17) return 255 << 6;
-    if (light_q17 < 1u << kLinearLog2) return (light_q17 * kSlopeQ16 + (1 << 15)) >> 16;
-    const Normalized n = normalized(light_q17);
-    constexpr uint32_t kRestBits = 31 - kStepsLog2;
-    const uint32_t doubling = 31 - kLinearLog2 - static_cast<uint32_t>(n.leading);
-    const uint32_t step = (n.v >> kRestBits) - (1u << kStepsLog2), rest_q16 = n.v << (1 + kStepsLog2) >> 16;
-    const uint16_t* const level = kLevels.level_q6 + (doubling << kStepsLog2) + step;
-    return level[0] + (static_cast<uint32_t>(level[1] - level[0]) * rest_q16 >> 16);
+    const uint16_t* level = kLevels.level_q6[0];
+    if (light_q17 < kWhiteQ17 >> kDarkLog2) {
+        light_q17 <<= kDarkLog2;
+        level = kLevels.level_q6[1];
+    }
+    level += light_q17 >> kRestBits;
+    const uint32_t rest = light_q17 & ((1u << kRestBits) - 1);
+    return level[0] + (static_cast<uint32_t>(level[1] - level[0]) * rest >> kRestBits);
 }
 
 // Memory of states, behind that of see-through patches and parts: weights, the palette, see-through parts.
@@ -105,30 +99,37 @@ uint8_t* palette_of(const SurfaceField& field, const SurfaceMemory& memory)
     return reinterpret_cast<uint8_t*>(words_of(field, memory) + kWordsAWeight * field.state_count);
 }
 
-// How much of the light that a state's entries say is added: weight times scale, at most 16 bits.
+// A state whose light shows, and how much of what its entries say is added: weight times scale, at most 16 bits.
+struct ShownState {
+    uint32_t palette_at, nodes_at, gains_at;  // behind those of state 0, and in a vertex's bytes
+    uint32_t factor_q12[kChannels];
+};
+
 struct Mix {
     uint32_t count;
-    uint32_t factor_q12[kMaxStates][kChannels];
+    ShownState state[kMaxStates];
 };
 
 Mix mix_of(const SurfaceField& field, const SurfaceMemory& memory)
 {
-    Mix mix{};
-    mix.count = field.state_count;
-    for (uint32_t k = 0; k < mix.count; ++k) {
+    Mix mix;
+    mix.count = 0;
+    for (uint32_t k = 0; k < field.state_count; ++k) {
         const uint32_t scale_q4 = field.states[kStatesHeaderBytes + k * kStateBytes + state::kScaleAt];
         const StateWeight& weight = weight_of(field, memory, k);
+        if ((weight.r_q12 | weight.g_q12 | weight.b_q12) == 0) continue;
         const auto factor = [&](uint32_t weight_q12) { return (weight_q12 * scale_q4 + 8) >> 4; };
-        mix.factor_q12[k][0] = factor(weight.r_q12);
-        mix.factor_q12[k][1] = factor(weight.g_q12);
-        mix.factor_q12[k][2] = factor(weight.b_q12);
+        mix.state[mix.count++] = {k * state::kPaletteBytes,
+                                  k * view_colours_bytes(field.code_bits),
+                                  1 + k * kGainBytes,
+                                  {factor(weight.r_q12), factor(weight.g_q12), factor(weight.b_q12)}};
     }
     return mix;
 }
 
-LUMI_ALWAYS_INLINE uint32_t scaled(uint32_t factor_q12, uint32_t light_q15)
+LUMI_ALWAYS_INLINE uint32_t light_q17_of(uint32_t factor_q12, uint32_t level_q2)
 {
-    return factor_q12 * light_q15 >> 10;  // Q17
+    return factor_q12 * kLevels.light_q15[level_q2] >> 10;
 }
 
 // Mixes the palettes that lie behind `entries`, one for each state, into every `stride` bytes of `out`.
@@ -137,8 +138,10 @@ void mix_palette(const Mix& mix, const uint8_t* entries, uint8_t* out, uint32_t 
     for (uint32_t n = 0; n < kPaletteEntries; ++n, out += stride) {
         for (uint32_t c = 0; c < kChannels; ++c, ++entries) {
             uint32_t light_q17 = 0;
-            for (uint32_t k = 0; k < mix.count; ++k)
-                light_q17 += scaled(mix.factor_q12[k][c], kLevels.light_q15[entries[k * state::kPaletteBytes]]);
+            for (uint32_t k = 0; k < mix.count; ++k) {
+                const ShownState& shown = mix.state[k];
+                light_q17 += light_q17_of(shown.factor_q12[c], 4u * entries[shown.palette_at]);
+            }
             out[c] = static_cast<uint8_t>((level_q6_of(light_q17) + 32) >> 6);
         }
     }
@@ -149,9 +152,9 @@ void mix_all(SurfaceField& field, const SurfaceMemory& memory)
 {
     const Mix mix = mix_of(field, memory);
     uint8_t* const palette = palette_of(field, memory);
-    mix_palette(mix, field.states + states_palettes_at(mix.count), palette, state::kEntryBytes);
+    mix_palette(mix, field.states + states_palettes_at(field.state_count), palette, state::kEntryBytes);
     if (field.see_through_count != 0)
-        mix_palette(mix, field.states + states_see_through_at(mix.count),
+        mix_palette(mix, field.states + states_see_through_at(field.state_count),
                     palette + state::kPaletteBytes + see_through::kPaletteAt, see_through::kEntryBytes);
     if (may_move(field, memory)) moving_parts(field, memory).has_body = false;
 }
@@ -170,58 +173,69 @@ bool are_mixed(const SurfaceField& field, const SurfaceMemory& memory)
 // What lighting vertices needs of a frame.
 struct StateLight {
     const SurfaceField& field;
-    const uint8_t *palettes, *mixed, *nodes, *vertices;
-    uint32_t node_bytes;
+    const uint8_t *palettes, *nodes, *vertices;
+    uint32_t vertex_bytes;
     Mix mix;
 };
 
 // The level of a channel of a vertex's mean, and what its view table adds to it.
-LUMI_ALWAYS_INLINE int32_t seen_q2(uint32_t mean, int32_t sum, uint32_t gain)
+LUMI_ALWAYS_INLINE uint32_t seen_q2(uint32_t mean, int32_t sum, uint32_t gain)
 {
-    // Weights have 8 bits of fraction, gains 6, the result 2.
-    const int32_t level = static_cast<int32_t>(4 * mean) + ((sum * static_cast<int32_t>(gain) + 2048) >> 12);
-    return level < 0 ? 0 : level > kWhiteQ2 ? kWhiteQ2 : level;
+    // Weights have 8 bits of fraction, gains 6, the result 2, rounded down.
+    const int32_t level = (sum * static_cast<int32_t>(gain) + static_cast<int32_t>(mean << 14)) >> 12;
+    if (__builtin_expect(static_cast<uint32_t>(level) > static_cast<uint32_t>(kMostQ2), 0))
+        return level < 0 ? 0 : kMostQ2;
+    return static_cast<uint32_t>(level);
 }
 
-uint32_t colour_by_states(const StateLight& light, const SurfaceProjection& projection, uint32_t vertex)
+LUMI_ALWAYS_INLINE uint32_t colour_by_states(const StateLight& light, const SurfaceProjection& projection,
+                                             uint32_t vertex)
 {
     LUMI_TALLY(Work::lit, 1);
     const uint32_t bits = light.field.code_bits;
     const uint8_t* const record = light.field.views + vertex * view_bytes(bits);
     const ViewTaps taps = taps_of_vertex(light.field, projection, vertex, record + view_turn_at(bits));
-    const uint8_t* tap[3];
-    for (int m = 0; m < 3; ++m) {
+    const auto tap = [&](int m) __attribute__((always_inline))
+    {
         const uint32_t node = taps.node[m];
-        tap[m] = light.nodes + ((node << bits) + code_of(record, node, bits)) * kNodeColourBytes;
-    }
-    const uint8_t* gain = light.vertices + vertex * state_view_bytes(light.mix.count);
-    const uint32_t mean = *gain++ * state::kEntryBytes;
-    const uint8_t* entry = light.palettes + mean;
-    uint32_t light_q17[kChannels] = {};
-    for (uint32_t k = 0; k < light.mix.count; ++k) {
-        for (uint32_t c = 0; c < kChannels; ++c) {
-            const int32_t sum = taps.weight_q8[0] * signed_byte(tap[0] + c) +
-                                taps.weight_q8[1] * signed_byte(tap[1] + c) +
-                                taps.weight_q8[2] * signed_byte(tap[2] + c);
-            light_q17[c] += scaled(light.mix.factor_q12[k][c], light_of_level(seen_q2(entry[c], sum, gain[c])));
-        }
-        for (const uint8_t*& at : tap) at += light.node_bytes;
-        gain += kGainBytes;
-        entry += state::kPaletteBytes;
-    }
-    const auto difference_q2 = [&](uint32_t c) {
-        return static_cast<int32_t>((level_q6_of(light_q17[c]) + 8) >> 4) - 4 * int32_t{light.mixed[mean + c]};
+        return light.nodes + ((node << bits) + code_of(record, node, bits)) * kNodeColourBytes;
     };
-    return packed_fields(difference_q2(0), difference_q2(1), difference_q2(2));
+    const uint8_t *const tap0 = tap(0), *const tap1 = tap(1), *const tap2 = tap(2);
+    const uint8_t* const own = light.vertices + vertex * light.vertex_bytes;
+    const uint32_t mean = own[0] * state::kEntryBytes;
+    uint32_t r_q17 = 0, g_q17 = 0, b_q17 = 0;
+    for (const ShownState* shown = light.mix.state; shown != light.mix.state + light.mix.count; ++shown) {
+        int32_t r = 0, g = 0, b = 0;
+        const auto add = [&](const uint8_t* colour, int32_t weight) __attribute__((always_inline))
+        {
+            r += weight * signed_byte(colour);
+            g += weight * signed_byte(colour + 1);
+            b += weight * signed_byte(colour + 2);
+        };
+        add(tap0 + shown->nodes_at, taps.weight_q8[0]);
+        add(tap1 + shown->nodes_at, taps.weight_q8[1]);
+        add(tap2 + shown->nodes_at, taps.weight_q8[2]);
+        const uint8_t* const gain = own + shown->gains_at;
+        const uint8_t* const entry = light.palettes + shown->palette_at + mean;
+        r_q17 += light_q17_of(shown->factor_q12[0], seen_q2(entry[0], r, gain[0]));
+        g_q17 += light_q17_of(shown->factor_q12[1], seen_q2(entry[1], g, gain[1]));
+        b_q17 += light_q17_of(shown->factor_q12[2], seen_q2(entry[2], b, gain[2]));
+    }
+    const uint8_t* const mixed = light.field.palette + mean;
+    const auto difference_q2 = [](uint32_t light_q17, uint32_t level) {
+        return static_cast<int32_t>((level_q6_of(light_q17) + 8) >> 4) - static_cast<int32_t>(4 * level);
+    };
+    return packed_small_fields(difference_q2(r_q17, mixed[0]), difference_q2(g_q17, mixed[1]),
+                               difference_q2(b_q17, mixed[2]));
 }
 
 // A vertex of a triangle that was listed has the colour 0: no table of the file has lit it.
-void light_vertices(const SurfaceFrame& frame, const StateLight& light, const SurfaceProjection& projection,
-                    const NumberRange& vertices)
+__attribute__((noinline)) void light_vertices(const SurfaceFrame& frame, const StateLight& light,
+                                              const SurfaceProjection& projection, const NumberRange& vertices)
 {
-    for (uint32_t k = vertices.begin; k < vertices.end; ++k)
-        if (frame.memory.vertices[k].colour == 0)
-            frame.memory.vertices[k].colour = colour_by_states(light, projection, k);
+    SurfaceVertex* at = frame.memory.vertices + vertices.begin;
+    for (uint32_t k = vertices.begin; k < vertices.end; ++k, ++at)
+        if (at->colour == 0) at->colour = colour_by_states(light, projection, k);
 }
 
 }  // namespace
@@ -231,14 +245,13 @@ void detail::put_states(SurfaceFrame& frame)
     const SurfaceField& field = frame.field;
     if (!are_mixed(field, frame.memory)) return;
     if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
-    const uint8_t* const nodes = field.states + states_views_at(field.state_count, field.has_states_of_see_through);
-    const uint32_t node_bytes = view_colours_bytes(field.code_bits);
+    const uint32_t states = field.state_count;
+    const uint8_t* const nodes = field.states + states_views_at(states, field.has_states_of_see_through);
     const StateLight light = {field,
-                              field.states + states_palettes_at(field.state_count),
-                              field.palette,
+                              field.states + states_palettes_at(states),
                               nodes,
-                              nodes + field.state_count * node_bytes,
-                              node_bytes,
+                              nodes + states * view_colours_bytes(field.code_bits),
+                              state_view_bytes(states),
                               mix_of(field, frame.memory)};
     for (uint32_t owner = 0; owner <= field.part_count; ++owner) {
         const SurfaceProjection& projection =

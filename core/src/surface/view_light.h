@@ -15,6 +15,17 @@ LUMI_ALWAYS_INLINE uint32_t packed_fields(int32_t r_q2, int32_t g_q2, int32_t b_
     return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
 }
 
+// Does that where the fields mostly need no bounds.
+LUMI_ALWAYS_INLINE uint32_t packed_small_fields(int32_t r_q2, int32_t g_q2, int32_t b_q2)
+{
+    constexpr int32_t kMost = 511;
+    const auto shifted = [](int32_t v) { return static_cast<uint32_t>(v + kMost); };
+    if (__builtin_expect((shifted(r_q2) | shifted(g_q2) | shifted(b_q2)) > 2 * kMost, 0))
+        return packed_fields(r_q2, g_q2, b_q2);
+    const auto field = [](int32_t v) { return static_cast<uint32_t>(v) & 0x3FF; };
+    return field(r_q2) << 22 | field(g_q2) << 12 | field(b_q2) << 2;
+}
+
 // Which of its colours a node has. What follows the last code in a record is read, too.
 LUMI_ALWAYS_INLINE uint32_t code_of(const uint8_t* record, uint32_t node, uint32_t bits)
 {
