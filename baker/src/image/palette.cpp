@@ -11,22 +11,25 @@ namespace lumi::baker
 namespace
 {
 
-constexpr size_t kNumbers = std::tuple_size_v<ColourPoint>;
+template <size_t N>
+using Point = std::array<float, N>;
+
 constexpr int kIterations = 12;  // the error falls by less than 1 % an iteration from there on
 
-float distance2(const ColourPoint& a, const ColourPoint& b)
+template <size_t N>
+float distance2(const Point<N>& a, const Point<N>& b)
 {
     float sum = 0;
-    for (size_t k = 0; k < kNumbers; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+    for (size_t k = 0; k < N; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
     return sum;
 }
 
 // Each further centre is drawn with probability proportional to the squared distance from those already there.
-void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoint>& points, size_t count,
-                  uint64_t seed)
+template <size_t N>
+void seed_centres(std::vector<Point<N>>& centres, const std::vector<Point<N>>& points, size_t count, uint64_t seed)
 {
     std::vector<float> distances(points.size(), 1);
-    const auto note = [&](const ColourPoint& centre, bool first) {
+    const auto note = [&](const Point<N>& centre, bool first) {
         for (size_t k = 0; k < points.size(); ++k) {
             const float d = distance2(points[k], centre);
             distances[k] = first ? d : std::min(distances[k], d);
@@ -43,17 +46,17 @@ void seed_centres(std::vector<ColourPoint>& centres, const std::vector<ColourPoi
 }
 
 // Moves each centre from the `fixed`-th on to the mean of the points nearest to it.
-void refine(std::vector<ColourPoint>& centres, size_t fixed, const std::vector<ColourPoint>& points)
+template <size_t N>
+void refine(std::vector<Point<N>>& centres, size_t fixed, const std::vector<Point<N>>& points)
 {
-    std::vector<std::array<double, kNumbers + 1>> sums(centres.size());
-    for (const ColourPoint& p : points) {
-        std::array<double, kNumbers + 1>& sum = sums[nearest_centre(centres, p).index];
-        for (size_t k = 0; k < kNumbers; ++k) sum[k] += static_cast<double>(p[k]);
-        sum[kNumbers] += 1;
+    std::vector<std::array<double, N + 1>> sums(centres.size());
+    for (const Point<N>& p : points) {
+        std::array<double, N + 1>& sum = sums[nearest_centre(centres, p).index];
+        for (size_t k = 0; k < N; ++k) sum[k] += static_cast<double>(p[k]);
+        sum[N] += 1;
     }
     for (size_t c = fixed; c < centres.size(); ++c)
-        for (size_t k = 0; k < kNumbers && sums[c][kNumbers] > 0; ++k)
-            centres[c][k] = static_cast<float>(sums[c][k] / sums[c][kNumbers]);
+        for (size_t k = 0; k < N && sums[c][N] > 0; ++k) centres[c][k] = static_cast<float>(sums[c][k] / sums[c][N]);
 }
 
 }  // namespace
@@ -72,7 +75,8 @@ std::optional<size_t> drawn_by_distance(const std::vector<float>& distances2, Sa
     return chosen;
 }
 
-NearestCentre nearest_centre(const std::vector<ColourPoint>& centres, const ColourPoint& p)
+template <size_t N>
+NearestCentre nearest_centre(const std::vector<Point<N>>& centres, const Point<N>& p)
 {
     NearestCentre best = {0, std::numeric_limits<float>::infinity()};
     for (size_t k = 0; k < centres.size(); ++k) {
@@ -82,15 +86,22 @@ NearestCentre nearest_centre(const std::vector<ColourPoint>& centres, const Colo
     return best;
 }
 
-std::vector<ColourPoint> k_means(const std::vector<ColourPoint>& points, std::vector<ColourPoint> fixed, size_t count,
-                                 uint64_t seed)
+template <size_t N>
+std::vector<Point<N>> k_means(const std::vector<Point<N>>& points, std::vector<Point<N>> fixed, size_t count,
+                              uint64_t seed)
 {
-    std::vector<ColourPoint> centres = std::move(fixed);
+    std::vector<Point<N>> centres = std::move(fixed);
     const size_t fixed_count = centres.size();
     seed_centres(centres, points, count, seed);
     for (int k = 0; k < kIterations; ++k) refine(centres, fixed_count, points);
     return centres;
 }
+
+template NearestCentre nearest_centre(const std::vector<Point<kMostPointNumbers>>&, const Point<kMostPointNumbers>&);
+template NearestCentre nearest_centre(const std::vector<ColourPoint>&, const ColourPoint&);
+template std::vector<Point<kMostPointNumbers>> k_means(const std::vector<Point<kMostPointNumbers>>&,
+                                                       std::vector<Point<kMostPointNumbers>>, size_t, uint64_t);
+template std::vector<ColourPoint> k_means(const std::vector<ColourPoint>&, std::vector<ColourPoint>, size_t, uint64_t);
 
 namespace
 {

@@ -17,7 +17,9 @@ namespace lumi::baker
 
 // Finds clusters of colours.
 
-using ColourPoint = std::array<float, 6>;  // numbers that a palette does not need are 0
+// Points have 6 numbers, or kMostPointNumbers; those that a palette does not need are 0.
+using ColourPoint = std::array<float, 6>;
+inline constexpr size_t kMostPointNumbers = 15;
 
 struct NearestCentre {
     size_t index;
@@ -25,15 +27,17 @@ struct NearestCentre {
 };
 
 // The lowest of equally near ones. Cost: a distance to each.
-NearestCentre nearest_centre(const std::vector<ColourPoint>& centres, const ColourPoint& p);
+template <size_t N>
+NearestCentre nearest_centre(const std::vector<std::array<float, N>>& centres, const std::array<float, N>& p);
 
 // k-means++'s draw: an index with probability proportional to its squared distance; none where all are zero.
 std::optional<size_t> drawn_by_distance(const std::vector<float>& distances2, Sampler& sampler);
 
 // k-means with k-means++ seeding: centres of `points` that follow after `fixed`, which stay, `count` in all or fewer
 // where that many different points are not there. The same points, in the same order, give the same centres.
-std::vector<ColourPoint> k_means(const std::vector<ColourPoint>& points, std::vector<ColourPoint> fixed, size_t count,
-                                 uint64_t seed);
+template <size_t N>
+std::vector<std::array<float, N>> k_means(const std::vector<std::array<float, N>>& points,
+                                          std::vector<std::array<float, N>> fixed, size_t count, uint64_t seed);
 
 // Entry 0 is fully transparent.
 using Palette = std::array<detail::Rgba8, detail::format::kPaletteEntries>;

@@ -44,6 +44,13 @@ struct SceneView {
     double fov_y = 0;  // radians, above 0
 };
 
+// Groups of lights: the numbers of states, 0 where there is none. Lists may be shorter than what they count.
+struct LightStates {
+    std::vector<std::string> names;  // the first, base, is all that no other names; empty: there are no states
+    std::vector<uint8_t> of_material, of_fixture;
+    uint8_t of_sky = 0;
+};
+
 // A scene in its own units and axes, before the sphere is fitted. Positions are finite, every triangle has an area,
 // indices and materials are in range.
 struct SceneParts {
@@ -53,6 +60,10 @@ struct SceneParts {
     std::vector<Texture> textures;
     std::shared_ptr<const std::vector<Texture>> shared_textures;  // in place of `textures`, where scenes share them
     std::vector<Fixture> fixtures;
+    std::vector<std::string> fixture_names;  // may be shorter; of a scene file, which has_labels, labels of states
+    bool has_labels = false;
+    std::string sky_state;  // a label; may be empty
+    LightStates states;
     std::vector<NamedPart> named;           // names may come twice
     std::vector<PartOptions> part_options;  // of a scene file
     MovingParts moving;

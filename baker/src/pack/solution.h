@@ -18,8 +18,16 @@ struct FieldSphere {
 // About as much work as tracing so many light paths; less once it is known which vertices need no view table.
 uint64_t solution_work(const FitState& state);
 
+// A state of the light, traced; borrowed. Its light is divided by `scale`.
+struct TracedLight {
+    FitState& state;
+    BakeStages& stages;
+    std::string name = {};
+    float scale = 1;
+};
+
 // The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,
-// less what `stages` have of it. `kept`: the last entries of the see-through palette that stay as they are.
-FieldParts solved(FitState& state, const FieldSphere& sphere, BakeStages& stages, Job& job, size_t kept = 0);
+// less what the stages have of it. `kept`: the last entries of the see-through palette that stay as they are.
+FieldParts solved(const std::vector<TracedLight>& lights, const FieldSphere& sphere, Job& job, size_t kept = 0);
 
 }  // namespace lumi::baker

@@ -164,11 +164,21 @@ std::vector<uint8_t> view_record(const ViewTurn& turn, const ViewCode& view, uin
     return record;
 }
 
+void append_colours(std::vector<uint8_t>& bytes, const PaletteColours& colours)
+{
+    for (const Rgb8& c : colours) bytes.insert(bytes.end(), {c.r, c.g, c.b});
+}
+
+void append_colours(std::vector<uint8_t>& bytes, const NodeColours& colours)
+{
+    for (const NodeColours::Colour& colour : colours.colours)
+        for (const int8_t channel : colour) bytes.push_back(static_cast<uint8_t>(channel));
+}
+
 std::vector<uint8_t> view_section(const FitShape& shape, const FieldParts& parts, const VertexOrder& order)
 {
     std::vector<uint8_t> bytes;
-    for (const NodeColours::Colour& colour : parts.node_colours.colours)
-        for (const int8_t channel : colour) bytes.push_back(static_cast<uint8_t>(channel));
+    append_colours(bytes, parts.node_colours);
     for (uint32_t k = 0; k < order.viewed; ++k) {
         const uint32_t v = order.vertices[k];
         const std::vector<uint8_t> record = view_record(shape.turns[v], parts.views[v], parts.node_colours.bits);
@@ -245,6 +255,32 @@ std::vector<uint8_t> parts_section(const PatchMesh& mesh, const VertexOrder& ord
     return b.take();
 }
 
+std::vector<uint8_t> states_section(const FitShape& shape, const FieldParts& parts, const VertexOrder& order)
+{
+    namespace at = detail::format::state;
+    Bytes b(detail::format::states_palettes_at(static_cast<uint32_t>(parts.states.size())));
+    b.put8(0, static_cast<uint8_t>(parts.states.size()));
+    for (size_t k = 0; k < parts.states.size(); ++k) {
+        const StateColours& state = parts.states[k];
+        const size_t record = detail::format::kStatesHeaderBytes + k * detail::format::kStateBytes;
+        for (size_t c = 0; c < state.name.size(); ++c) b.put8(record + c, static_cast<uint8_t>(state.name[c]));
+        b.put8(record + at::kScaleAt, static_cast<uint8_t>(std::lround(state.scale * float{at::kOneQ4})));
+    }
+    std::vector<uint8_t> bytes = b.take();
+    for (const StateColours& state : parts.states) append_colours(bytes, state.palette);
+    if (shape.mesh.see_through_patches != 0)
+        for (const StateColours& state : parts.states) append_colours(bytes, state.added);
+    if (order.viewed == 0) return bytes;
+    for (const StateColours& state : parts.states) append_colours(bytes, state.node_colours);
+    for (uint32_t k = 0; k < order.viewed; ++k) {
+        const uint32_t v = order.vertices[k];
+        bytes.push_back(parts.means[v]);
+        for (const StateColours& state : parts.states)
+            bytes.insert(bytes.end(), state.views[v].gains.begin(), state.views[v].gains.end());
+    }
+    return bytes;
+}
+
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
@@ -277,6 +313,8 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
             {detail::format::kSeeThroughSection, see_through_section(shape, parts), !has_shadows_alone(shape.mesh)});
     if (!shape.mesh.parts.empty())
         contents.push_back({detail::format::kPartsSection, parts_section(shape.mesh, order)});
+    if (!parts.states.empty())
+        contents.push_back({detail::format::kStateSection, states_section(shape, parts, order), false});
     if (parts.is_draft) contents.push_back({detail::format::kDraftSection, std::vector<uint8_t>(4), false});
     return file_of(contents);
 }

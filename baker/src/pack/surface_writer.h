@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "fit/fit_shape.h"
 #include "lumi/color.h"
 #include "lumi/surface/format.h"
+#include "pack/texel_palette.h"
 
 namespace lumi::baker
 {
@@ -33,15 +35,26 @@ struct SeeThroughColour {
     Rgb8 added, passed;
 };
 
+// A state of the light, of a field that has several.
+struct StateColours {
+    std::string name;
+    float scale = 1;                // all its light is divided by it
+    PaletteColours palette, added;  // of texels, and of what see-through texels add
+    NodeColours node_colours;
+    std::vector<ViewCode> views;  // by vertex; the codes are the same in all states
+};
+
 struct FieldParts {
     std::array<double, 3> centre;
     double radius;
-    std::array<Rgb8, detail::format::kPaletteEntries> palette;
+    PaletteColours palette;
     std::vector<uint8_t> texels;
     NodeColours node_colours;
     std::vector<ViewCode> views;  // by vertex
     std::array<SeeThroughColour, detail::format::kPaletteEntries> see_through{};
     bool is_draft = false;
+    std::vector<StateColours> states = {};  // what stands above is all of them together; empty: there is one
+    std::vector<uint8_t> means = {};        // by vertex: the entry of the states' palettes that is about its mean
 };
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);

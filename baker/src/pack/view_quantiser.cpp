@@ -18,8 +18,6 @@ using detail::format::kViewNodes;
 constexpr uint32_t kPlannedCodeBits = 3;
 constexpr int kSharedRounds = 12;
 constexpr uint64_t kViewSeed = 0x76696577;
-constexpr float kGainUnit = 64;
-constexpr float kMostLevel = 127;  // the largest level of a channel, either sign
 
 using Gains = std::array<uint8_t, 3>;
 
@@ -46,43 +44,65 @@ uint8_t rounded_gain(float gain)
     return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), 1.0f, 255.0f));
 }
 
+// The tables of one state of the light, as they are fitted to.
+struct Layer {
+    const FitSums& sums;
+    const std::vector<LevelColour>& nodes;
+    std::vector<double> weights;
+    std::vector<Gains> gains;          // by vertex
+    std::vector<LevelColour> centres;  // 2^bits a node
+    std::vector<LevelColour> errors;   // by node: how far what is shown is off
+};
+
+// All states share the codes.
 class Quantiser
 {
 public:
-    Quantiser(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits)
-        : sums_(sums),
-          nodes_(model.nodes),
-          weights_(node_weights(sums)),
-          views_(viewed.size()),
-          bits_(bits),
-          centres_(kViewNodes << bits)
+    Quantiser(const std::vector<ViewLayer>& layers, const std::vector<uint8_t>& viewed, uint32_t bits)
+        : codes_(viewed.size()), bits_(bits)
     {
         for (uint32_t v = 0; v < viewed.size(); ++v)
             if (viewed[v] != 0) vertices_.push_back(v);
-        for (const uint32_t v : vertices_) weigh_unseen(&weights_[v * kViewNodes]);
+        for (const ViewLayer& l : layers) {
+            layers_.push_back({l.sums,
+                               l.model.nodes,
+                               node_weights(l.sums),
+                               std::vector<Gains>(viewed.size()),
+                               std::vector<LevelColour>(kViewNodes << bits),
+                               {}});
+            for (const uint32_t v : vertices_) weigh_unseen(&layers_.back().weights[v * kViewNodes]);
+        }
     }
 
-    QuantisedViews result()
+    std::vector<QuantisedViews> result()
     {
-        if (vertices_.empty()) return {{}, views_};
-        first_gains();
-        seed_centres();
-        for (int round = 0; round < kSharedRounds; ++round) {
-            assign();
-            move_centres();
-            fit_gains();
+        if (!vertices_.empty()) {
+            for (Layer& l : layers_) first_gains(l);
+            seed_centres();
+            for (int round = 0; round < kSharedRounds; ++round) {
+                assign();
+                for (Layer& l : layers_) move_centres(l);
+                for (Layer& l : layers_) fit_gains(l);
+            }
+            settle();
         }
-        settle();
-        return {rounded_colours(), views_};
+        std::vector<QuantisedViews> result;
+        for (const Layer& l : layers_) result.push_back(quantised_of(l));
+        return result;
     }
 
 private:
+    using Codes = std::array<uint8_t, kViewNodes>;
+
     size_t colours() const { return size_t{1} << bits_; }
-    LevelColour& centre(size_t k, size_t code) { return centres_[(k << bits_) + code]; }
-    const LevelColour& centre(size_t k, size_t code) const { return centres_[(k << bits_) + code]; }
-    const LevelColour& node(size_t v, size_t k) const { return nodes_[v * kViewNodes + k]; }
-    float weight(size_t v, size_t k) const { return static_cast<float>(weights_[v * kViewNodes + k]); }
-    float gain(size_t v, size_t c) const { return static_cast<float>(views_[v].gains[c]) / kGainUnit; }
+    LevelColour& centre(Layer& l, size_t k, size_t code) const { return l.centres[(k << bits_) + code]; }
+    const LevelColour& centre(const Layer& l, size_t k, size_t code) const { return l.centres[(k << bits_) + code]; }
+    static const LevelColour& node(const Layer& l, size_t v, size_t k) { return l.nodes[v * kViewNodes + k]; }
+    static float weight(const Layer& l, size_t v, size_t k)
+    {
+        return static_cast<float>(l.weights[v * kViewNodes + k]);
+    }
+    static float gain(const Layer& l, size_t v, size_t c) { return static_cast<float>(l.gains[v][c]) / kGainUnit; }
 
     // Nodes that no path met count a little, too.
     static void weigh_unseen(double* weights)
@@ -94,80 +114,87 @@ private:
     }
 
     // The root mean square of a table, by channel.
-    void first_gains()
+    void first_gains(Layer& l) const
     {
         constexpr float kTypical = 32;  // this gets the gain 1
         for (const uint32_t v : vertices_) {
             LevelColour sums{};
             float weights = 0;
             for (size_t k = 0; k < kViewNodes; ++k) {
-                for (size_t c = 0; c < 3; ++c) sums[c] += weight(v, k) * node(v, k)[c] * node(v, k)[c];
-                weights += weight(v, k);
+                for (size_t c = 0; c < 3; ++c) sums[c] += weight(l, v, k) * node(l, v, k)[c] * node(l, v, k)[c];
+                weights += weight(l, v, k);
             }
             for (size_t c = 0; c < 3; ++c)
-                views_[v].gains[c] = rounded_gain(std::sqrt(sums[c] / std::max(weights, 1e-6f)) / kTypical);
+                l.gains[v][c] = rounded_gain(std::sqrt(sums[c] / std::max(weights, 1e-6f)) / kTypical);
         }
+    }
+
+    float distance_to(size_t v, size_t k, size_t code) const
+    {
+        float sum = 0;
+        for (const Layer& l : layers_) sum += weight(l, v, k) * square(error_with(l, v, k, code));
+        return sum;
     }
 
     void seed_centres()
     {
         for (size_t k = 0; k < kViewNodes; ++k) {
             std::vector<float> distances;
-            for (const uint32_t v : vertices_) distances.push_back(weight(v, k) * square(error_with(v, k, 0)));
+            for (const uint32_t v : vertices_) distances.push_back(distance_to(v, k, 0));
             Sampler sampler(kViewSeed, static_cast<uint32_t>(k), 0);
             for (size_t code = 1; code < colours(); ++code) {
                 sampler.start(static_cast<uint32_t>(code));
                 const std::optional<size_t> chosen = drawn_by_distance(distances, sampler);
                 if (!chosen) break;
                 const uint32_t at = vertices_[*chosen];
-                for (size_t c = 0; c < 3; ++c)
-                    centre(k, code)[c] = std::clamp(node(at, k)[c] / gain(at, c), -kMostLevel, kMostLevel);
-                for (size_t i = 0; i < vertices_.size(); ++i) {
-                    const uint32_t v = vertices_[i];
-                    distances[i] = std::min(distances[i], weight(v, k) * square(error_with(v, k, code)));
-                }
+                for (Layer& l : layers_)
+                    for (size_t c = 0; c < 3; ++c)
+                        centre(l, k, code)[c] = std::clamp(node(l, at, k)[c] / gain(l, at, c), -kMostLevel, kMostLevel);
+                for (size_t i = 0; i < vertices_.size(); ++i)
+                    distances[i] = std::min(distances[i], distance_to(vertices_[i], k, code));
             }
         }
     }
 
     void assign()
     {
+        const std::vector<LevelColour> none(layers_.size());
         for (const uint32_t v : vertices_)
-            for (size_t k = 0; k < kViewNodes; ++k) views_[v].codes[k] = best_with(v, k, {});
+            for (size_t k = 0; k < kViewNodes; ++k) codes_[v][k] = best_with(v, k, none);
     }
 
-    void move_centres()
+    void move_centres(Layer& l) const
     {
         for (size_t k = 0; k < kViewNodes; ++k) {
             std::vector<LevelColour> sums(colours()), weights(colours());
             for (const uint32_t v : vertices_) {
-                const size_t code = views_[v].codes[k];
+                const size_t code = codes_[v][k];
                 for (size_t c = 0; c < 3; ++c) {
-                    sums[code][c] += weight(v, k) * gain(v, c) * node(v, k)[c];
-                    weights[code][c] += weight(v, k) * gain(v, c) * gain(v, c);
+                    sums[code][c] += weight(l, v, k) * gain(l, v, c) * node(l, v, k)[c];
+                    weights[code][c] += weight(l, v, k) * gain(l, v, c) * gain(l, v, c);
                 }
             }
             for (size_t code = 0; code < colours(); ++code) {
                 for (size_t c = 0; c < 3; ++c)
                     if (weights[code][c] > 0)
-                        centre(k, code)[c] = std::clamp(sums[code][c] / weights[code][c], -kMostLevel, kMostLevel);
+                        centre(l, k, code)[c] = std::clamp(sums[code][c] / weights[code][c], -kMostLevel, kMostLevel);
             }
         }
     }
 
-    void fit_gains()
+    void fit_gains(Layer& l) const
     {
         for (const uint32_t v : vertices_) {
             LevelColour wanted{}, size{};
             for (size_t k = 0; k < kViewNodes; ++k) {
-                const LevelColour& shape = centre(k, views_[v].codes[k]);
+                const LevelColour& shape = centre(l, k, codes_[v][k]);
                 for (size_t c = 0; c < 3; ++c) {
-                    wanted[c] += weight(v, k) * node(v, k)[c] * shape[c];
-                    size[c] += weight(v, k) * shape[c] * shape[c];
+                    wanted[c] += weight(l, v, k) * node(l, v, k)[c] * shape[c];
+                    size[c] += weight(l, v, k) * shape[c] * shape[c];
                 }
             }
             for (size_t c = 0; c < 3; ++c)
-                if (size[c] > 0) views_[v].gains[c] = rounded_gain(wanted[c] / size[c]);
+                if (size[c] > 0) l.gains[v][c] = rounded_gain(wanted[c] / size[c]);
         }
     }
 
@@ -176,15 +203,17 @@ private:
     void settle()
     {
         constexpr int kSweeps = 6, kLastSweeps = 3;
-        const NodeProducts products(sums_);
+        std::vector<NodeProducts> products;
+        for (const Layer& l : layers_) products.emplace_back(l.sums);
         find_errors();
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             assign_jointly(products);
-            move_centres_jointly(products);
+            for (size_t k = 0; k < layers_.size(); ++k) move_centres_jointly(layers_[k], products[k]);
             find_errors();
         }
-        for (LevelColour& colour : centres_)
-            for (float& channel : colour) channel = std::round(channel);
+        for (Layer& l : layers_)
+            for (LevelColour& colour : l.centres)
+                for (float& channel : colour) channel = std::round(channel);
         find_errors();
         for (int sweep = 0; sweep < kLastSweeps; ++sweep) assign_jointly(products);
     }
@@ -192,48 +221,53 @@ private:
     // Without a table all that a node would show is missing.
     void find_errors()
     {
-        errors_.resize(nodes_.size());
-        for (size_t k = 0; k < nodes_.size(); ++k) errors_[k] = difference({}, nodes_[k]);
-        for (const uint32_t v : vertices_)
-            for (size_t k = 0; k < kViewNodes; ++k) errors_[v * kViewNodes + k] = error_with(v, k, views_[v].codes[k]);
+        for (Layer& l : layers_) {
+            l.errors.resize(l.nodes.size());
+            for (size_t k = 0; k < l.nodes.size(); ++k) l.errors[k] = difference({}, l.nodes[k]);
+            for (const uint32_t v : vertices_)
+                for (size_t k = 0; k < kViewNodes; ++k)
+                    l.errors[v * kViewNodes + k] = error_with(l, v, k, codes_[v][k]);
+        }
     }
 
     // The change that the errors of other nodes ask of this one.
-    LevelColour pull_on(const NodeProducts& products, size_t node) const
+    static LevelColour pull_on(const Layer& l, const NodeProducts& products, size_t node)
     {
         LevelColour pull{};
         for (const NodeProducts::Entry& entry : products.row(node))
-            for (size_t c = 0; c < 3; ++c) pull[c] += entry.product * errors_[entry.node][c];
+            for (size_t c = 0; c < 3; ++c) pull[c] += entry.product * l.errors[entry.node][c];
         return pull;
     }
 
-    void assign_jointly(const NodeProducts& products)
+    void assign_jointly(const std::vector<NodeProducts>& products)
     {
+        std::vector<LevelColour> pulls(layers_.size());
         for (const uint32_t v : vertices_) {
             for (size_t k = 0; k < kViewNodes; ++k) {
                 const size_t here = v * kViewNodes + k;
-                views_[v].codes[k] = best_with(v, k, pull_on(products, here));
-                errors_[here] = error_with(v, k, views_[v].codes[k]);
+                for (size_t i = 0; i < pulls.size(); ++i) pulls[i] = pull_on(layers_[i], products[i], here);
+                codes_[v][k] = best_with(v, k, pulls);
+                for (Layer& l : layers_) l.errors[here] = error_with(l, v, k, codes_[v][k]);
             }
         }
     }
 
-    void move_centres_jointly(const NodeProducts& products)
+    void move_centres_jointly(Layer& l, const NodeProducts& products) const
     {
         constexpr float kPull = 0.5f;  // vertices that share a colour pull at each other, too
         for (size_t k = 0; k < kViewNodes; ++k) {
             std::vector<LevelColour> sums(colours()), weights(colours());
             for (const uint32_t v : vertices_) {
-                const size_t here = v * kViewNodes + k, code = views_[v].codes[k];
-                const LevelColour pull = pull_on(products, here);
+                const size_t here = v * kViewNodes + k, code = codes_[v][k];
+                const LevelColour pull = pull_on(l, products, here);
                 for (size_t c = 0; c < 3; ++c) {
-                    sums[code][c] += gain(v, c) * (weight(v, k) * errors_[here][c] + pull[c]);
-                    weights[code][c] += gain(v, c) * gain(v, c) * weight(v, k);
+                    sums[code][c] += gain(l, v, c) * (weight(l, v, k) * l.errors[here][c] + pull[c]);
+                    weights[code][c] += gain(l, v, c) * gain(l, v, c) * weight(l, v, k);
                 }
             }
             for (size_t code = 0; code < colours(); ++code) {
                 for (size_t c = 0; c < 3; ++c) {
-                    float& channel = centre(k, code)[c];
+                    float& channel = centre(l, k, code)[c];
                     if (weights[code][c] > 0)
                         channel =
                             std::clamp(channel - kPull * sums[code][c] / weights[code][c], -kMostLevel, kMostLevel);
@@ -242,18 +276,22 @@ private:
         }
     }
 
-    LevelColour error_with(size_t v, size_t k, size_t code) const
+    LevelColour error_with(const Layer& l, size_t v, size_t k, size_t code) const
     {
-        return difference(scaled(centre(k, code), views_[v].gains), node(v, k));
+        return difference(scaled(centre(l, k, code), l.gains[v]), node(l, v, k));
     }
 
-    uint8_t best_with(size_t v, size_t k, const LevelColour& pull) const
+    // `pulls`: by state.
+    uint8_t best_with(size_t v, size_t k, const std::vector<LevelColour>& pulls) const
     {
         size_t best = 0;
         float least = 0;
         for (size_t code = 0; code < colours(); ++code) {
-            const LevelColour e = error_with(v, k, code);
-            const float cost = weight(v, k) * square(e) + 2 * (pull[0] * e[0] + pull[1] * e[1] + pull[2] * e[2]);
+            float cost = 0;
+            for (size_t i = 0; i < layers_.size(); ++i) {
+                const LevelColour e = error_with(layers_[i], v, k, code), &pull = pulls[i];
+                cost += weight(layers_[i], v, k) * square(e) + 2 * (pull[0] * e[0] + pull[1] * e[1] + pull[2] * e[2]);
+            }
             if (code == 0 || cost < least) {
                 least = cost;
                 best = code;
@@ -262,52 +300,58 @@ private:
         return static_cast<uint8_t>(best);
     }
 
-    NodeColours rounded_colours() const
+    QuantisedViews quantised_of(const Layer& l) const
     {
-        NodeColours result;
-        result.bits = bits_;
-        result.colours.clear();
-        for (const LevelColour& c : centres_)
-            result.colours.push_back({static_cast<int8_t>(c[0]), static_cast<int8_t>(c[1]), static_cast<int8_t>(c[2])});
+        QuantisedViews result;
+        result.views.resize(codes_.size());
+        if (vertices_.empty()) return result;
+        for (const uint32_t v : vertices_) result.views[v] = {l.gains[v], codes_[v]};
+        result.colours.bits = bits_;
+        result.colours.colours.clear();
+        for (const LevelColour& c : l.centres)
+            result.colours.colours.push_back(
+                {static_cast<int8_t>(c[0]), static_cast<int8_t>(c[1]), static_cast<int8_t>(c[2])});
         return result;
     }
 
-    const FitSums& sums_;
-    const std::vector<LevelColour>& nodes_;
-    std::vector<double> weights_;
+    std::vector<Layer> layers_;
     std::vector<uint32_t> vertices_;  // that have a table
-    std::vector<ViewCode> views_;     // by vertex
+    std::vector<Codes> codes_;        // by vertex
     const uint32_t bits_;
-    std::vector<LevelColour> centres_;  // 2^bits a node
-    std::vector<LevelColour> errors_;   // by node: how far what is shown is off
 };
 
-uint64_t table_bytes(uint32_t viewed, uint32_t bits)
+uint64_t table_bytes(uint32_t viewed, uint32_t bits, uint32_t states)
 {
-    return detail::format::view_colours_bytes(bits) + uint64_t{viewed} * detail::format::view_bytes(bits);
+    namespace format = detail::format;
+    const uint64_t own = format::view_colours_bytes(bits) + uint64_t{viewed} * format::view_bytes(bits);
+    return states < 2 ? own
+                      : own + uint64_t{states} * format::view_colours_bytes(bits) +
+                            uint64_t{viewed} * format::state_view_bytes(states);
 }
 
 }  // namespace
 
-uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables)
+uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables, uint32_t states)
 {
-    if (!view_tables) return table_bytes(0, kPlannedCodeBits);
+    if (!view_tables) return table_bytes(0, kPlannedCodeBits, states);
     const std::vector<uint8_t> viewable = viewable_vertices(mesh);
-    return table_bytes(static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1)), kPlannedCodeBits);
+    return table_bytes(static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1)), kPlannedCodeBits,
+                       states);
 }
 
-uint32_t code_bits_for(uint64_t bytes, uint32_t viewed)
+uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states)
 {
     uint32_t bits = 1;
     while (bits < detail::format::kMaxCodeBits && (uint32_t{1} << bits) < viewed &&
-           table_bytes(viewed, bits + 1) <= bytes)
+           table_bytes(viewed, bits + 1, states) <= bytes)
         ++bits;
     return bits;
 }
 
-QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits)
+std::vector<QuantisedViews> quantised(const std::vector<ViewLayer>& layers, const std::vector<uint8_t>& viewed,
+                                      uint32_t bits)
 {
-    return Quantiser(sums, model, viewed, bits).result();
+    return Quantiser(layers, viewed, bits).result();
 }
 
 std::vector<LevelColour> decoded(const QuantisedViews& q)

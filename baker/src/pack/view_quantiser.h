@@ -8,18 +8,28 @@
 namespace lumi::baker
 {
 
+inline constexpr float kGainUnit = 64;
+inline constexpr float kMostLevel = 127;  // the largest level of a channel, either sign
+
 struct QuantisedViews {
     NodeColours colours;
     std::vector<ViewCode> views;  // by vertex
 };
 
-// At most so many bytes are planned for view tables, if there are to be any.
-uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables = true);
+// At most so many bytes are planned for view tables, if there are to be any, of so many states of the light.
+uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables = true, uint32_t states = 1);
 // The most bits of a code with which the tables of so many vertices fit into these bytes.
-uint32_t code_bits_for(uint64_t bytes, uint32_t viewed);
+uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states = 1);
 
-// Returns the quantised view tables of the viewed vertices.
-QuantisedViews quantised(const FitSums& sums, const FitModel& model, const std::vector<uint8_t>& viewed, uint32_t bits);
+// What one state of the light asks of view tables; borrowed.
+struct ViewLayer {
+    const FitSums& sums;
+    const FitModel& model;
+};
+
+// Returns the quantised view tables of the viewed vertices, by state. Codes are the same in all.
+std::vector<QuantisedViews> quantised(const std::vector<ViewLayer>& layers, const std::vector<uint8_t>& viewed,
+                                      uint32_t bits);
 // The levels that a reader makes of them, 0 where there is no table.
 std::vector<LevelColour> decoded(const QuantisedViews& views);
 

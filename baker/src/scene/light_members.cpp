@@ -132,7 +132,15 @@ Environment picture_environment(const std::filesystem::path& file, std::vector<s
     return environment;
 }
 
-Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up)
+void take_state(JsonMembers& members, std::string& state)
+{
+    const JsonValue* label = members.find("state");
+    if (label == nullptr) return;
+    state = members.text_of(*label, "state");
+    if (state.empty()) members.fail(*label, "'state' is empty; write the name of a light state");
+}
+
+Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up, std::string& state)
 {
     JsonMembers members(file, value, "a light");
     static const std::vector<std::string> kTypes = {"point", "spot", "directional", "rectangle", "sphere"};
@@ -143,12 +151,13 @@ Fixture read_fixture(const std::string& file, const JsonValue& value, UpAxis up)
                             : type == 2 ? read_directional(members)
                             : type == 3 ? read_rectangle(members, up)
                                         : read_sphere(members);
+    take_state(members, state);
     members.finish();
     return fixture;
 }
 
 Environment read_environment(const std::filesystem::path& file, JsonMembers& scene, const JsonValue& value,
-                             std::vector<std::string>& warnings)
+                             std::vector<std::string>& warnings, std::string& state)
 {
     if (value.kind == JsonValue::Kind::text)
         return *named_environment(kSkyNames[scene.choice("environment", kSkyNames, 0)]);
@@ -160,6 +169,7 @@ Environment read_environment(const std::filesystem::path& file, JsonMembers& sce
                               : members.find("picture") ? read_picture(file, members, warnings)
                                                         : read_gradient(members);
     members.number("scale", kRadiance, environment.scale);
+    take_state(members, state);
     members.finish();
     return environment;
 }

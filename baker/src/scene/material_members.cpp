@@ -89,6 +89,7 @@ void apply_material_members(const std::string& file, const JsonValue& value, Mat
     for (const MaterialParameter& parameter : kMaterialParameters) take(members, parameter, m);
     if (metal) m.base = metal->f0;
     if (members.find("sheen_colour") && !members.find("sheen") && !had_sheen) m.sheen = 1;
+    take_state(members, m.state);
     members.finish();
     m.finish();
 }

@@ -188,6 +188,7 @@ std::unique_ptr<SceneData> with_mesh(const SceneData& scene, Mesh mesh, const st
     result->up = scene.up;
     result->choice = scene.choice;
     result->views = scene.views;
+    result->states = scene.states;
     return result;
 }
 

@@ -266,6 +266,7 @@ SceneData::SceneData(SceneParts parts, const LoadOptions& options)
       fixtures(moved_into_sphere(parts.fixtures, centre, radius, up, choice.exposure)),
       lights(mesh, expose(materials, choice.exposure), textures, exposed(choice.environment, choice.exposure), fixtures,
              medium ? kSamplesInMedium : kSamplesOnSurfaces),
+      states(std::move(parts.states)),
       views(moved_into_sphere(parts.views, centre, radius, up))
 {
     choice.notes.insert(choice.notes.begin(), parts.notes.begin(), parts.notes.end());
@@ -286,6 +287,11 @@ std::vector<std::string> Scene::moving_parts() const
     std::vector<std::string> names;
     for (const PartMovement& motion : data_->moving.motions) names.push_back(motion.name);
     return names;
+}
+
+std::vector<std::string> Scene::light_states() const
+{
+    return data_->states.names;
 }
 
 Scene::Scene(std::unique_ptr<const SceneData> data) : data_(std::move(data)) {}

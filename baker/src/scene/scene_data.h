@@ -37,6 +37,7 @@ struct SceneData {
     LightChoice choice;             // its exposure is a factor that the light of `materials` and `lights` already has
     std::vector<Fixture> fixtures;  // `lights` has them, too
     LightSet lights;
+    LightStates states;
     std::vector<NamedView> views;
 };
 

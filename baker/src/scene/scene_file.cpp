@@ -9,6 +9,7 @@
 #include "model/materials.h"
 #include "scene/doubts.h"
 #include "scene/framing.h"
+#include "scene/light_states.h"
 #include "scene/model_reader.h"
 #include "scene/moving_parts.h"
 #include "scene/placement.h"
@@ -172,10 +173,14 @@ private:
     void read_lights()
     {
         if (const JsonValue* value = scene_.find("environment"))
-            parts_.environment = read_environment(file_, scene_, *value, warnings_);
-        if (const JsonValue* value = scene_.find("lights"))
-            for (const JsonValue& light : list_of(*value, "lights"))
-                parts_.fixtures.push_back(read_fixture(name_, light, up_));
+            parts_.environment = read_environment(file_, scene_, *value, warnings_, parts_.sky_state);
+        parts_.has_labels = true;
+        if (const JsonValue* value = scene_.find("lights")) {
+            for (const JsonValue& light : list_of(*value, "lights")) {
+                parts_.fixture_names.emplace_back();
+                parts_.fixtures.push_back(read_fixture(name_, light, up_, parts_.fixture_names.back()));
+            }
+        }
     }
 
     void read_picture()
@@ -290,6 +295,22 @@ SceneParts read_parts(const std::filesystem::path& file, const LoadOptions& opti
     return read_scene_file(file, options.up, warnings, options.colours);
 }
 
+// Lit with what the options say, where they say it.
+Scene with_weights(Scene scene, const std::vector<StateOption>& options)
+{
+    const std::vector<std::string>& names = scene.data().states.names;
+    std::vector<Rgb> weights(names.size(), grey(1));
+    bool are_full = true;
+    for (const StateOption& option : options) {
+        const Rgb weight = {option.weight[0], option.weight[1], option.weight[2]};
+        const auto found = std::find(names.begin(), names.end(), option.name);
+        if (found == names.end()) continue;  // base, where no other state is
+        weights[static_cast<size_t>(found - names.begin())] = weight;
+        are_full = are_full && option.weight == StateOption{}.weight;
+    }
+    return are_full ? std::move(scene) : Scene(lit_by(scene.data(), weights));
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, std::vector<std::string>& warnings)
@@ -297,6 +318,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, 
     SceneParts parts = read_parts(file, options, warnings);
     if (!options.frame.empty()) frame_part(file, options.frame, parts);
     set_moving_parts(file, options.parts, parts);
+    set_light_states(file, options.states, parts);
     const std::array<double, 3> origin = parts.origin;
     Scene scene = [&] {
         try {
@@ -305,6 +327,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, 
             throw SceneError(at({file.string()}, error.what()));
         }
     }();
+    scene = with_weights(std::move(scene), options.states);
     for (const std::string& warning : scene.data().choice.warnings) warnings.push_back(at({file.string()}, warning));
     report_doubts(scene.data(), origin, file, warnings);
     return scene;

@@ -92,7 +92,7 @@ void add(Digest& digest, const Texture& texture)
 Digest::Value scene_fingerprint(const SceneData& scene)
 {
     const auto& [centre, radius, up, moving, mesh, materials, shared_textures, textures, tone, has_transparency,
-                 mesh_is_shell, medium, accelerator, choice, fixtures, lights, views] = scene;
+                 mesh_is_shell, medium, accelerator, choice, fixtures, lights, states, views] = scene;
     static_cast<void>(has_transparency);
     static_cast<void>(shared_textures);  // `textures` are those
     static_cast<void>(accelerator);
@@ -110,6 +110,12 @@ Digest::Value scene_fingerprint(const SceneData& scene)
     for (const Texture& texture : textures) add(digest, texture);
     lights.add_to(digest);
     add(digest, moving);
+    for (const std::string& name : states.names) digest.add(name);
+    if (!states.names.empty()) {  // scenes without states keep their fingerprint
+        digest.add(states.of_material);
+        digest.add(states.of_fixture);
+        digest.add(states.of_sky);
+    }
     return digest.value();
 }
 

@@ -7,6 +7,8 @@
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"
 #include "pack/shadow_patches.h"
+#include "pack/solution.h"
+#include "scene/light_states.h"
 #include "store/bake_identity.h"
 #include "store/bake_stages.h"
 #include "store/checkpoint.h"
@@ -102,48 +104,107 @@ FitBasis basis_for(const Scene& scene, const SurfacePlan& plan, const std::files
 
 constexpr double kNearlyAll = 0.9;  // of the texels that are allowed: what is left is not worth a word
 
+// The name of what a state keeps: the output's own for the first.
+std::filesystem::path output_of_state(const std::filesystem::path& output, size_t state)
+{
+    if (state == 0 || output.empty()) return output;
+    return output.string() + ".state" + std::to_string(state);
+}
+
+// The light of a scene, or of one of its states. Borrows all.
+struct Lit {
+    const Scene& scene;
+    Keeper* keeper;  // may be null
+    std::string name = {};
+    float scale = 1;
+};
+
+// Traces one of them.
+class LitTrace
+{
+public:
+    LitTrace(const Lit& lit, const FitShape& shape, const EncodedTone& tone, const SurfaceSettings& settings,
+             const Shard& shard, const std::filesystem::path& output)
+        : lit_(lit),
+          stages_(output.empty() ? output : stages_of(output), lit.scene.fingerprint(), settings),
+          state_(shape, tone),
+          fit_(lit.scene.data(), shape, settings, shard)
+    {
+        read_earlier();
+    }
+
+    TracedLight traced() { return {state_, stages_, lit_.name, lit_.scale}; }
+    const FitState& state() const { return state_; }
+    uint64_t earlier() const { return fit_.work_in(state_); }
+    uint64_t rays_left() const { return fit_.rays_left(state_); }
+    uint64_t staged_left() const { return fit_.staged_left(state_) + solution_work(state_); }
+
+    template <class Plan>
+    void trace(Job& job, const Plan& plan)
+    {
+        Keeper* const keeper = lit_.keeper;
+        try {
+            const bool had_pilot = state_.has_pilot;
+            fit_.trace(state_, stages_, job, [&] {
+                if (!had_pilot && state_.batches == 0) plan();
+                if (keeper != nullptr && keeper->keep_now_and_then(state_)) LightFit::forget_pilot(stages_);
+            });
+            if (keeper != nullptr) keeper->keep(state_);
+        } catch (const Cancelled&) {
+            if (keeper != nullptr) keeper->keep(state_);
+            throw;
+        }
+    }
+
+private:
+    // Reads what the checkpoint has.
+    void read_earlier()
+    {
+        std::vector<uint8_t> earlier;
+        if (lit_.keeper != nullptr && lit_.keeper->store().read_state(earlier) && !add_encoded(earlier, state_))
+            throw BakeError("the checkpoint is damaged; discard it with --restart");
+    }
+
+    const Lit lit_;
+    BakeStages stages_;
+    FitState state_;
+    LightFit fit_;
+};
+
 // From the mesh to the file. Borrows all but the basis.
 class SurfaceFit
 {
 public:
-    // `keeper` may be null, and then `output` is empty.
-    SurfaceFit(const Scene& scene, const SurfaceSettings& settings, const Shard& shard, FitBasis basis,
-               const std::filesystem::path& output, Keeper* keeper, const ProgressCallback& progress)
+    // Without keepers `output` is empty.
+    SurfaceFit(const std::vector<Lit>& lights, const SurfaceSettings& settings, const Shard& shard, FitBasis basis,
+               const std::filesystem::path& output, const ProgressCallback& progress)
         : settings_(settings),
-          keeper_(keeper),
-          stages_(output.empty() ? output : stages_of(output), scene.fingerprint(), settings),
           loss_(basis.loss),
           sphere_(basis.sphere),
           shadows_(std::move(basis.shadows)),
           ground_(std::move(basis.ground)),
           shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through)),
           tone_(basis.tone),
-          state_(shape_, tone_),
-          fit_(scene.data(), shape_, settings, shard),
-          earlier_(earlier_work()),
-          job_(earlier_ + fit_.rays_left(state_) + staged_left(), settings.threads, progress, earlier_)
+          traces_(traces_of(lights, shard, output)),
+          earlier_(sum_of(&LitTrace::earlier)),
+          job_(earlier_ + sum_of(&LitTrace::rays_left) + sum_of(&LitTrace::staged_left), settings.threads, progress,
+               earlier_)
     {
         plan();
     }
 
     void trace()
     {
-        try {
-            const bool had_pilot = state_.has_pilot;
-            fit_.trace(state_, stages_, job_, [this, had_pilot] {
-                if (!had_pilot && state_.batches == 0) plan();
-                if (keeper_ != nullptr && keeper_->keep_now_and_then(state_)) LightFit::forget_pilot(stages_);
-            });
-            if (keeper_ != nullptr) keeper_->keep(state_);
-        } catch (const Cancelled&) {
-            if (keeper_ != nullptr) keeper_->keep(state_);
-            throw;
-        }
+        for (const std::unique_ptr<LitTrace>& one : traces_)
+            one->trace(
+                job_, [this] { plan(); });
     }
 
     SurfaceBake field()
     {
-        FieldParts parts = solved(state_, sphere_, stages_, job_, ground_levels(ground_, shape_.mesh));
+        std::vector<TracedLight> lights;
+        for (const std::unique_ptr<LitTrace>& one : traces_) lights.push_back(one->traced());
+        FieldParts parts = solved(lights, sphere_, job_, ground_levels(ground_, shape_.mesh));
         job_.finish();
         parts.is_draft = settings_.draft;
         SurfaceBake bake;
@@ -159,34 +220,39 @@ public:
         const uint32_t allowed = layout_of(shape_.mesh, settings_.texels_per_radius).texels;
         bake.suffices = bake.texels < kNearlyAll * allowed;
         bake.loss = loss_;
-        bake.paths = state_.paths;
+        for (const std::unique_ptr<LitTrace>& one : traces_) bake.paths += one->state().paths;
         return bake;
     }
 
 private:
-    uint64_t staged_left() const { return fit_.staged_left(state_) + solution_work(state_); }
-    void plan() { job_.plan(fit_.rays_left(state_), staged_left()); }
+    using Traces = std::vector<std::unique_ptr<LitTrace>>;
 
-    // Reads what the checkpoint has.
-    uint64_t earlier_work()
+    Traces traces_of(const std::vector<Lit>& lights, const Shard& shard, const std::filesystem::path& output) const
     {
-        std::vector<uint8_t> earlier;
-        if (keeper_ != nullptr && keeper_->store().read_state(earlier) && !add_encoded(earlier, state_))
-            throw BakeError("the checkpoint is damaged; discard it with --restart");
-        return fit_.work_in(state_);
+        Traces traces;
+        for (size_t k = 0; k < lights.size(); ++k)
+            traces.push_back(
+                std::make_unique<LitTrace>(lights[k], shape_, tone_, settings_, shard, output_of_state(output, k)));
+        return traces;
     }
 
+    uint64_t sum_of(uint64_t (LitTrace::*number)() const) const
+    {
+        uint64_t sum = 0;
+        for (const std::unique_ptr<LitTrace>& one : traces_) sum += ((*one).*number)();
+        return sum;
+    }
+
+    void plan() { job_.plan(sum_of(&LitTrace::rays_left), sum_of(&LitTrace::staged_left)); }
+
     const SurfaceSettings& settings_;
-    Keeper* const keeper_;
-    BakeStages stages_;
     const MeshLoss loss_;
     const FieldSphere sphere_;
     const PartShadows shadows_;
     const GroundShadow ground_;
     const FitShape shape_;
     const EncodedTone tone_;
-    FitState state_;
-    LightFit fit_;
+    const Traces traces_;
     const uint64_t earlier_;
     Job job_;
 };
@@ -216,7 +282,11 @@ bool has_all_sums(BlockFile& file)
 SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const ProgressCallback& progress)
 {
     require_possible(scene, plan.settings);
-    SurfaceFit fit(scene, plan.settings, {}, basis_for(scene, plan, {}, nullptr, progress), {}, nullptr, progress);
+    const std::vector<LitState> states = lit_states(scene.data());
+    std::vector<Lit> lights;
+    for (const LitState& state : states) lights.push_back({state.scene, nullptr, state.name, state.scale});
+    if (states.empty()) lights.push_back({scene, nullptr});
+    SurfaceFit fit(lights, plan.settings, {}, basis_for(scene, plan, {}, nullptr, progress), {}, progress);
     fit.trace();
     return fit.field();
 }
@@ -225,16 +295,27 @@ SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std:
                          const ProgressCallback& progress, Earlier earlier)
 {
     require_possible(scene, plan.settings);
-    Keeper keeper(checkpoint_of(output), identity(scene, plan.settings, {}), earlier);
+    const std::vector<LitState> states = lit_states(scene.data());
+    std::vector<std::unique_ptr<Keeper>> keepers;
+    std::vector<Lit> lights;
+    for (size_t k = 0; k < std::max<size_t>(states.size(), 1); ++k) {
+        const Scene& lit = states.empty() ? scene : states[k].scene;
+        keepers.push_back(std::make_unique<Keeper>(checkpoint_of(output_of_state(output, k)),
+                                                   identity(lit, plan.settings, {}), earlier));
+        lights.push_back({lit, keepers.back().get()});
+        if (states.empty()) continue;
+        lights.back().name = states[k].name;
+        lights.back().scale = states[k].scale;
+    }
     if (earlier == Earlier::discard) discard_stages(output);
-    FitBasis basis = basis_for(scene, plan, output, &keeper, progress);
-    SurfaceFit fit(scene, plan.settings, {}, std::move(basis), output, &keeper, progress);
+    FitBasis basis = basis_for(scene, plan, output, keepers[0].get(), progress);
+    SurfaceFit fit(lights, plan.settings, {}, std::move(basis), output, progress);
     fit.trace();
     SurfaceBake bake = fit.field();
     NewFile file(output);
     file.append(bake.file);
     file.commit();
-    keeper.checkpoint().remove();
+    for (const std::unique_ptr<Keeper>& keeper : keepers) keeper->checkpoint().remove();
     discard_stages(output);
     return bake;
 }
@@ -243,12 +324,14 @@ void bake_surface_shard(const Scene& scene, const SurfacePlan& plan, const Shard
                         const std::filesystem::path& output, const ProgressCallback& progress, Earlier earlier)
 {
     require_possible(scene, plan.settings);
+    if (!scene.light_states().empty())
+        throw BakeError("a field with light states is baked whole; leave out --shard, or the states");
     const BakeIdentity id = identity(scene, plan.settings, shard);
     if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) return;
     Keeper keeper(checkpoint_of(output), id, earlier);
     if (earlier == Earlier::discard) discard_stages(output);
     FitBasis basis = basis_for(scene, plan, output, &keeper, progress);
-    SurfaceFit(scene, plan.settings, shard, std::move(basis), output, &keeper, progress).trace();
+    SurfaceFit({{scene, &keeper}}, plan.settings, shard, std::move(basis), output, progress).trace();
     keeper.checkpoint().rename_to(output);
     discard_stages(output);
 }
@@ -263,7 +346,8 @@ std::filesystem::path kept_stages(const std::filesystem::path& output)
 void discard_stages(const std::filesystem::path& output)
 {
     std::error_code ignored;
-    std::filesystem::remove(kept_stages(output), ignored);
+    for (size_t k = 0; k < detail::format::kMaxStates; ++k)
+        std::filesystem::remove(kept_stages(output_of_state(output, k)), ignored);
 }
 
 }  // namespace lumi::baker

@@ -57,40 +57,41 @@ float density_of(int steps)
 
 // Bytes of the file if every vertex gets a view table, or with these settings none does. Throws BakeError for more
 // texels than the format holds.
-uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, const SurfaceSettings& settings)
+uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, const SurfaceSettings& settings, uint32_t states)
 {
     constexpr size_t kSections = 7;  // of opaque fields
     const uint64_t vertices = mesh.positions.size(), patches = mesh.patches.size();
     const uint64_t texels = layout_of(mesh, texels_per_radius).texels;
     const bool has_see_through = mesh.see_through_patches != 0 || settings.ground;
-    const size_t sections = kSections + (has_see_through ? 1 : 0);
+    const size_t sections = kSections + (has_see_through ? 1 : 0) + (states > 1 ? 1 : 0);
     uint64_t bytes = aligned(detail::format::kHeaderBytes + sections * detail::format::kEntryBytes);
     for (const uint64_t section :
          {uint64_t{detail::format::kSurfaceBytes}, vertices * detail::format::kVertexBytes,
           patches * detail::format::kPatchBytes, texels, uint64_t{3 * detail::format::kPaletteEntries},
-          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh, settings.view_tables)})
+          patches * detail::format::kNeighbourBytes, planned_view_bytes(mesh, settings.view_tables, states)})
         bytes += aligned(section);
     bytes += aligned(most_shadow_bytes(mesh.parts.size(), static_cast<uint32_t>(texels)));
     if (settings.ground) bytes += aligned(most_ground_room(mesh.longest_edge, texels_per_radius).bytes);
+    if (states > 1) bytes += aligned(detail::format::states_bytes(states, has_see_through, 0, 0));
     return has_see_through ? bytes + aligned(detail::format::kSeeThroughBytes) : bytes;
 }
 
-bool fits(const PatchMesh& mesh, const SurfaceSettings& settings, int steps, uint64_t budget)
+bool fits(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t states, int steps, uint64_t budget)
 {
     try {
-        return most_bytes(mesh, density_of(steps), settings) <= budget;
+        return most_bytes(mesh, density_of(steps), settings, states) <= budget;
     } catch (const BakeError&) {
         return false;  // more texels than the format holds
     }
 }
 
 // Precondition: the coarsest fits.
-int finest_that_fits(const PatchMesh& mesh, const SurfaceSettings& settings, uint64_t budget)
+int finest_that_fits(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t states, uint64_t budget)
 {
     int low = kCoarsest, high = kFinest + 1;
     while (high - low > 1) {
         const int middle = (low + high) / 2;
-        (fits(mesh, settings, middle, budget) ? low : high) = middle;
+        (fits(mesh, settings, states, middle, budget) ? low : high) = middle;
     }
     return low;
 }
@@ -161,7 +162,11 @@ class Planner
 public:
     Planner(const Scene& scene, const SurfaceLimits& limits, const ProgressCallback& progress,
             const std::filesystem::path& output)
-        : scene_(scene), limits_(limits), trials_(as_stage(Stage::mesh, progress)), output_(output)
+        : scene_(scene),
+          states_(static_cast<uint32_t>(std::max<size_t>(scene.light_states().size(), 1))),
+          limits_(limits),
+          trials_(as_stage(Stage::mesh, progress)),
+          output_(output)
     {
     }
 
@@ -177,8 +182,8 @@ public:
         spare_triangles(plan);
         if (limits_.chooses_density)
             plan.settings.texels_per_radius =
-                density_of(finest_that_fits(plan.mesh->mesh, plan.settings, limits_.bytes));
-        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings);
+                density_of(finest_that_fits(plan.mesh->mesh, plan.settings, states_, limits_.bytes));
+        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings, states_);
         plan.against = against(plan, scene_.mesh_is_shell());
     }
 
@@ -217,7 +222,7 @@ private:
         SurfaceSettings& s = finer.settings;
         s.view_tables = view_tables;
         if (limits_.chooses_edge) s.longest_edge = kLongestEdge;
-        const auto taken = static_cast<double>(most_bytes(plan.mesh->mesh, density_of(kCoarsest), s));
+        const auto taken = static_cast<double>(most_bytes(plan.mesh->mesh, density_of(kCoarsest), s, states_));
         s.triangles = static_cast<uint32_t>(
             std::min(double{kMostPlannedTriangles}, s.triangles * share * static_cast<double>(limits_.bytes) / taken));
         most_for_mesh_ = share;
@@ -266,7 +271,7 @@ private:
     bool shrinks_to_bytes(SurfacePlan& plan) const
     {
         const float density = limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
-        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings);
+        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings, states_);
         const auto budget = static_cast<double>(limits_.bytes);
         const double most = limits_.chooses_density && limits_.chooses_triangles ? most_for_mesh_ * budget : budget;
         if (static_cast<double>(least) <= most) return false;
@@ -314,6 +319,7 @@ private:
     }
 
     const Scene& scene_;
+    const uint32_t states_;  // of the light
     const SurfaceLimits& limits_;
     JobSeries trials_;
     const std::filesystem::path& output_;

@@ -82,7 +82,7 @@ TEST_CASE("k-means finds clusters that lie apart, and keeps fixed centres")
     CHECK(centres[0] == ColourPoint{-50, 0, 0, 0});
     for (const ColourPoint& p : points) CHECK(nearest_centre(centres, p).distance2 < 4.1f);
     CHECK(k_means(points, {}, 200, 1).size() == 15);  // no more than there are different points
-    CHECK(k_means({}, {}, 16, 1).empty());
+    CHECK(k_means(std::vector<ColourPoint>(), {}, 16, 1).empty());
 }
 
 }  // namespace lumi::baker

@@ -82,7 +82,7 @@ double mean_shown(bool is_matt)
     REQUIRE(add_encoded(encode(state), kept));
     Job job(solution_work(kept), 1, {});
     BakeStages stages({}, {});
-    const FieldParts parts = solved(kept, {{0, 0, 0}, 1}, stages, job);
+    const FieldParts parts = solved({{kept, stages}}, {{0, 0, 0}, 1}, job);
     Mean mean;
     for (const PatchRectangle& r : shape.layout.rectangles)
         for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) mean.add(parts.palette[parts.texels[t]].r);
@@ -111,7 +111,7 @@ TEST_CASE("a patch that no path met takes the colour around it, wherever its tex
     }
     Job job(solution_work(state), 1, {});
     BakeStages stages({}, {});
-    const FieldParts parts = solved(state, {{0, 0, 0}, 1}, stages, job);
+    const FieldParts parts = solved({{state, stages}}, {{0, 0, 0}, 1}, job);
     for (uint32_t p = 0; p < kSquares; ++p) {
         const PatchRectangle& r = shape.layout.rectangles[p];
         for (uint32_t t = r.begin; t < r.begin + r.size(); ++t)

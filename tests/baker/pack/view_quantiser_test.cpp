@@ -58,7 +58,7 @@ struct Tables {
     double error(uint32_t bits) const
     {
         const std::vector<uint8_t> all(shape.mesh.positions.size(), 1);
-        const std::vector<LevelColour> shown = decoded(quantised(sums, model, all, bits));
+        const std::vector<LevelColour> shown = decoded(quantised({{sums, model}}, all, bits)[0]);
         double squares = 0;
         for (size_t k = 0; k < shown.size(); ++k)
             for (size_t c = 0; c < 3; ++c)

@@ -67,6 +67,30 @@ TEST_CASE("a surface bake goes on where it was stopped, to the same bytes", "[re
     }
 }
 
+TEST_CASE("a bake of light states goes on in the state where it was stopped, to the same bytes", "[repeated]")
+{
+    const ScratchFolder folder;
+    std::vector<std::string> warnings;
+    LoadOptions options;
+    options.states = {{"sky"}};
+    folder.write("s.mtl", "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl panel\nKd 0 0 0\nKe 1 1 1\n");
+    folder.write("s.obj",
+                 "mtllib s.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nusemtl grey\n"
+                 "f 4 3 2 1\nusemtl panel\nf 1 2 6 5\n");
+    options.environment = constant_environment(0.5f);
+    const Scene scene = load_scene(folder.at("s.obj"), options, warnings);
+    const SurfacePlan plan = planned(scene, tiny_surface());
+    const SurfaceBake bake = surface_field(scene, plan);
+    const std::string once(bake.file.begin(), bake.file.end());
+    for (const double share : {0.1, 0.5, 0.9}) {
+        const ScratchFolder work;
+        CHECK_THROWS_AS(bake_surface(scene, plan, work.at("f.lumi"), stop_at(share)), Cancelled);
+        CHECK(file_of(scene, plan, work) == once);
+        CHECK(work.file_count() == 1);
+    }
+    CHECK_THROWS_AS(bake_surface_shard(scene, plan, {1, 2}, folder.at("f.1")), BakeError);
+}
+
 TEST_CASE("what a stopped surface bake has traced is not traced again", "[repeated]")
 {
     const Scene scene = tiny_scene();

@@ -137,12 +137,19 @@ private:
         if (options_.layout == Layout::chord && has_parts)
             throw Failure(options_.scene.path, "a chord field has no parts that move",
                           "bake a surface field (--layout surface), or leave out the parts");
+        const bool has_states = !scene.light_states().empty();
+        if (options_.layout == Layout::chord && has_states)
+            throw Failure(options_.scene.path, "a chord field has no light states",
+                          "bake a surface field (--layout surface), or leave out the states");
+        if (has_states && output_.shard)
+            throw Failure(options_.scene.path, "a field with light states is baked whole",
+                          "leave out --shard, or the states");
         if (options_.layout == Layout::chord) return std::nullopt;
         if (options_.restart) baker::discard_stages(output_.target);
         baker::SurfacePlan plan = in_step(BakeStep::planning, [&](const baker::ProgressCallback& progress) {
             return baker::plan_surface(scene, options_.surface, options_.limits, progress, output_.target);
         });
-        const bool is_asked_for = has_parts || options_.layout == Layout::surface;
+        const bool is_asked_for = has_parts || has_states || options_.layout == Layout::surface;
         const bool takes = plan.mesh && (plan.against.empty() || is_asked_for || shows_more(scene, plan));
         if (!takes) baker::discard_stages(output_.target);
         if (!takes && is_asked_for) throw baker::BakeError(plan.against);

@@ -6,6 +6,7 @@
 
 #include "commands/camera_options.h"
 #include "commands/part_options.h"
+#include "commands/state_options.h"
 #include "files/output_file.h"
 #include "lumi/chord/texel.h"
 #include "lumi/detail/lattice.h"
@@ -308,6 +309,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options)
 {
     add_scene_options(command, options.scene);
     add_part_option(command, options.scene.parts, PartWords::motion);
+    add_state_option(command, options.scene.states, StateWords::names);
     add_field_options(command, options);
     add_surface_options(command, options.surface);
     add_chord_options(command, options);

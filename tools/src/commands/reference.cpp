@@ -9,6 +9,7 @@
 #include "commands/commands.h"
 #include "commands/part_options.h"
 #include "commands/scene_options.h"
+#include "commands/state_options.h"
 #include "files/output_file.h"
 #include "image/picture_file.h"
 #include "lumi/baker/reference.h"
@@ -171,6 +172,7 @@ void add_reference(CLI::App& lumi)
         lumi.add_subcommand("reference", "Path-trace views of a scene: the truth that fields approximate");
     add_scene_options(*command, options->scene);
     add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
+    add_state_option(*command, options->scene.states, StateWords::weights);
     add_thread_option(*command, options->scene);
     add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views, "black");

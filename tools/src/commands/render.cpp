@@ -8,6 +8,7 @@
 #include "commands/camera_options.h"
 #include "commands/commands.h"
 #include "commands/part_options.h"
+#include "commands/state_options.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "image/animation.h"
@@ -53,8 +54,9 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     const DisplayFormat display = options.drawing.display;
     values_of(options.parts, file);  // refuses wrong names before the first view
-    return [&file, mode, display, poses = options.parts](const Eye& eye, const Rgb8& background) {
-        return draw_surface(file.surface(), eye, {mode, display, background, values_of(poses, file, eye.done)});
+    const std::vector<StateValue> states = values_of(options.states, file);
+    return [&file, mode, display, states, poses = options.parts](const Eye& eye, const Rgb8& background) {
+        return draw_surface(file.surface(), eye, {mode, display, background, values_of(poses, file, eye.done), states});
     };
 }
 
@@ -70,6 +72,7 @@ void warn_of_spans(const RenderOptions& options, const Field& field)
 Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
     if (!options.parts.empty()) refuse(options, "--part", "surface");
+    if (!options.states.empty()) refuse(options, "--state", "surface");
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
     if (drawing.mode == Mode::paper && drawing.span_px > 1)
@@ -154,6 +157,7 @@ void add_render(CLI::App& lumi)
     add_camera_options(*command, options->views, "gradient");
     add_drawing_options(*command, *options);
     add_pose_option(*command, options->parts);
+    add_state_option(*command, options->states, StateWords::weights);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());

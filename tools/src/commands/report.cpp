@@ -15,6 +15,7 @@
 #include "commands/ladder.h"
 #include "commands/part_options.h"
 #include "commands/scene_options.h"
+#include "commands/state_options.h"
 #include "files/output_file.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
@@ -95,7 +96,10 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     quality::Yardstick by = {report.views, report.references, way_of(options)};
     const Waiting waiting("measuring fields");
     for (const auto& field : fields) {
-        if (!options.fields.empty()) by.way.surface.parts = values_of(posed(options.scene.parts), *field);
+        if (!options.fields.empty()) {
+            by.way.surface.parts = values_of(posed(options.scene.parts), *field);
+            by.way.surface.states = values_of(options.scene.states, *field);
+        }
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
             report.variants.push_back(std::move(variant));
@@ -182,6 +186,7 @@ void add_report(CLI::App& lumi)
         "report", "Measure how good fields look, from views that no bake aimed at, and what that costs");
     add_scene_options(*command, options->scene);
     add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
+    add_state_option(*command, options->scene.states, StateWords::weights);
     add_thread_option(*command, options->scene);
     command->add_option("FIELD", options->fields,
                         "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "

@@ -17,7 +17,14 @@ namespace lumi::tools
 namespace
 {
 
-// One number for grey, or three with commas.
+bool is_picture_name(const std::string& word)
+{
+    const std::string ending = small_ending(word);
+    return ending == ".hdr" || ending == ".exr";
+}
+
+}  // namespace
+
 std::optional<std::array<float, 3>> colour_of(const std::string& word)
 {
     constexpr float kMaxRadiance = 1e9f;
@@ -34,11 +41,8 @@ std::optional<std::array<float, 3>> colour_of(const std::string& word)
     return sound && (count == 1 || count == 3) && word.back() != ',' ? std::optional(colour) : std::nullopt;
 }
 
-bool is_picture_name(const std::string& word)
+namespace
 {
-    const std::string ending = small_ending(word);
-    return ending == ".hdr" || ending == ".exr";
-}
 
 // NAME, or NAME@DEGREES.
 std::optional<baker::Environment> named_sky(const std::string& word)
@@ -151,6 +155,7 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.frame = options.frame;
     load.animation = options.animation;
     load.parts = options.parts;
+    load.states = options.states;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

@@ -22,9 +22,13 @@ struct SceneOptions {
     std::optional<float> iso;
     double pieces = baker::IsoSurface{}.pieces;
     std::vector<baker::PartOptions> parts;
+    std::vector<baker::StateOption> states;
     bool solid_volume = false;  // for surface fields, see baker::LoadOptions
     unsigned threads = 0;
 };
+
+// Reads a colour: one number for grey, or three with commas. Nothing where that is none.
+std::optional<std::array<float, 3>> colour_of(const std::string& word);
 
 // Adds SCENE, --up, --sky, --exposure, --colours, --frame, --animation, --iso and --pieces; parsed values go to
 // `options`, which must outlive the parse.

@@ -7,6 +7,7 @@
 #include "draw/display.h"
 #include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 #include "terminal/failure.h"
 
 namespace lumi::tools
@@ -43,10 +44,12 @@ struct FrameMemory {
 };
 
 template <class Pixel>
-Picture draw_as(const SurfaceField& field, const Eye& eye, const SurfaceDrawSettings& settings)
+Picture draw_as(SurfaceField field, const Eye& eye, const SurfaceDrawSettings& settings)
 {
     const int32_t width = eye.image.width_px, height = eye.image.height_px;
     FrameMemory memory(field, height);
+    if (!settings.states.empty()) reset_states(field, memory.borrowed());
+    for (const StateValue& s : settings.states) set_state(field, memory.borrowed(), s.state, s.weight);
     for (const PartValue& p : settings.parts)
         if (!turn_part(field, memory.borrowed(), p.part, p.value))
             slide_part(field, memory.borrowed(), p.part, static_cast<int32_t>(p.value));

@@ -18,6 +18,12 @@ struct PartValue {
     uint32_t part, value;
 };
 
+// The weight of a light state.
+struct StateValue {
+    uint32_t state;
+    StateWeight weight;
+};
+
 // People say so of a part: degrees, or scene units; from the first view of a turntable up to the next round.
 struct PartPose {
     std::string name;
@@ -28,7 +34,8 @@ struct SurfaceDrawSettings {
     SurfaceMode mode = SurfaceMode::two_by_two;
     DisplayFormat display = DisplayFormat::rgb888;
     Rgb8 background = {0, 0, 0};
-    std::vector<PartValue> parts = {};  // others rest
+    std::vector<PartValue> parts = {};    // others rest
+    std::vector<StateValue> states = {};  // others have all of their light
 };
 
 // Returns "one-sample", "antialiased" or "2x2".

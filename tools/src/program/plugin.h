@@ -10,6 +10,7 @@
 #include "draw/draw_surface.h"
 #include "draw/views.h"
 #include "files/field_file.h"
+#include "lumi/baker/scene.h"
 
 namespace lumi::tools
 {
@@ -21,6 +22,7 @@ struct RenderOptions {
     std::string mode = "best";
     DrawSettings drawing;  // its mode is that of a chord field
     std::vector<PartPose> parts;
+    std::vector<baker::StateOption> states;
 };
 
 // Changes pictures after they are drawn, where its options ask for it.

@@ -96,6 +96,12 @@ struct PartOptions {
     std::optional<double> lit_at = std::nullopt;  // the pose whose light it has in a field; open: the mean of several
 };
 
+// A lamp's node, a material that shines, a label of a scene file, or "sky": lights whose weight can be chosen.
+struct StateOption {
+    std::string name;
+    std::array<float, 3> weight = {1, 1, 1};  // of linear light, 0 to 1
+};
+
 // Reads "x", "y", "z", or "-x" and the like. Nothing for other words.
 std::optional<std::array<double, 3>> axis_named(const std::string& word);
 
@@ -117,6 +123,8 @@ struct LoadOptions {
     std::optional<AnimationTime> animation = std::nullopt;  // only for glTF; at rest
     // One that a scene file has, too, needs no axis: it gives the pose.
     std::vector<PartOptions> parts = {};
+    // They become light states, besides those of a scene file, and the scene is lit with these weights.
+    std::vector<StateOption> states = {};
     std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;
@@ -145,6 +153,7 @@ public:
     // In the order of the file. Names may come twice or be empty.
     const std::vector<NamedView>& views() const;
     std::vector<std::string> moving_parts() const;  // names
+    std::vector<std::string> light_states() const;  // names, base first; empty where there are none
     bool mesh_is_shell() const;  // a volume without objects got its mesh by LoadOptions::solid_volume
 
     // A hash of all that decides light paths: the same files and options give the same value on every machine and in

@@ -66,7 +66,10 @@ private:
             if (node.mesh != kNoIndex) meshes_.add(node, place);
             parts_.named.back().end = parts_.mesh.triangle_count();
             if (node.skin != kNoIndex) parts_.named.back().bent_end = parts_.mesh.triangle_count();
-            if (node.light != kNoIndex) add_light(element_of(model_, model_.lights, node.light, "light"), place);
+            if (node.light != kNoIndex) {
+                add_light(element_of(model_, model_.lights, node.light, "light"), place);
+                parts_.fixture_names.resize(parts_.fixtures.size(), node.name);
+            }
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
                 open.push_back({*child, part});
             if (node.camera != kNoIndex)

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// From the states of the light that were fitted one by one to what a field shows of all of them together.
+#pragma once
+
+#include "fit/fit_model.h"
+#include "pack/view_quantiser.h"
+
+namespace lumi::baker
+{
+
+// The levels of all states together; `levels` and `scales` by state.
+LevelColour levels_of(const Rgb8& colour);
+LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<float>& scales);
+std::vector<LevelColour> mixed_texels(const LevelsOfStates& levels, const std::vector<float>& scales);
+
+// By vertex: the entry of the palettes that is nearest to the mean of the texels about it.
+std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& levels,
+                                  const std::vector<PaletteColours>& palettes);
+
+// The view tables of all states together, with the codes that they share. `views`, `palettes` by state.
+QuantisedViews mixed_views(const std::vector<QuantisedViews>& views, const std::vector<PaletteColours>& palettes,
+                           const std::vector<float>& scales, const std::vector<uint8_t>& means);
+
+}  // namespace lumi::baker

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From the levels of texels to bytes and the palettes that these name.
+#pragma once
+
+#include "fit/encoded_tone.h"
+#include "fit/fit_shape.h"
+#include "lumi/color.h"
+#include "lumi/surface/format.h"
+
+namespace lumi::baker
+{
+
+using PaletteColours = std::array<Rgb8, detail::format::kPaletteEntries>;
+
+struct PalettedTexels {
+    std::vector<PaletteColours> palettes, added;  // by state; `added` of see-through texels
+    PaletteColours passed{};
+    std::vector<uint8_t> texels;
+};
+
+// By state of the light: what each texel shows.
+using LevelsOfStates = std::vector<const std::vector<LevelColour>*>;
+
+// `all`: what texels show in all states together. `kept`: the last entries of see-through texels that stay free.
+PalettedTexels paletted(const FitShape& shape, const EncodedTone& tone, const LevelsOfStates& levels,
+                        const std::vector<LevelColour>& all, size_t kept);
+
+}  // namespace lumi::baker

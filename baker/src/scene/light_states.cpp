@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "scene/light_states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/radiance_picture.h"
+#include "lumi/host/nearest_word.h"
+#include "lumi/surface/format.h"
+#include "util/text_lines.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr const char* kBase = "base";
+constexpr const char* kSky = "sky";
+
+class StateMaker
+{
+public:
+    StateMaker(std::string file, SceneParts& parts) : file_(std::move(file)), parts_(parts)
+    {
+        parts_.fixture_names.resize(parts_.fixtures.size());
+        parts_.states.of_material.resize(parts_.materials.size());
+        parts_.states.of_fixture.resize(parts_.fixtures.size());
+    }
+
+    void label_all()
+    {
+        if (!parts_.sky_state.empty()) parts_.states.of_sky = number_of(parts_.sky_state);
+        for (size_t k = 0; k < parts_.fixtures.size(); ++k)
+            if (parts_.has_labels && !parts_.fixture_names[k].empty())
+                parts_.states.of_fixture[k] = number_of(parts_.fixture_names[k]);
+        for (size_t k = 0; k < parts_.materials.size(); ++k) {
+            const Material& material = parts_.materials[k];
+            if (material.state.empty()) continue;
+            if (!material.emits())
+                fail("the material '" + material.name + "' has the light state '" + material.state +
+                     "' and does not shine; give it an emission");
+            parts_.states.of_material[k] = number_of(material.state);
+        }
+    }
+
+    void add(const std::string& name)
+    {
+        const std::vector<std::string>& names = parts_.states.names;
+        if (name == kBase || std::find(names.begin(), names.end(), name) != names.end()) return;
+        const std::vector<std::string> choices = lights();
+        if (std::find(choices.begin(), choices.end(), name) == choices.end())
+            fail("no lamp and no material that shines is named '" + name + "'" + host::meant(name, choices) +
+                 "; choose among: " + joined(choices, ", "));
+        const uint8_t number = number_of(name);
+        if (name == kSky) parts_.states.of_sky = number;
+        for (size_t k = 0; k < parts_.fixtures.size(); ++k)
+            if (parts_.fixture_names[k] == name) parts_.states.of_fixture[k] = number;
+        for (size_t k = 0; k < parts_.materials.size(); ++k)
+            if (parts_.materials[k].emits() && parts_.materials[k].name == name) parts_.states.of_material[k] = number;
+    }
+
+    void require_possible() const
+    {
+        if (parts_.states.names.empty()) return;
+        if (parts_.volume) fail("a scene with a volume has no light states; leave them out");
+        if (parts_.tone != ToneCurve::srgb)
+            fail("light states are mixed as linear light, without a tone curve; leave out 'tone'");
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& text) const { throw SceneError(at({file_}, text)); }
+
+    // Its number; a name that is new becomes a state.
+    uint8_t number_of(const std::string& name)
+    {
+        std::vector<std::string>& names = parts_.states.names;
+        if (names.empty()) names.emplace_back(kBase);
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) return static_cast<uint8_t>(found - names.begin());
+        if (name.size() > detail::format::state::kNameBytes)
+            fail("the name of the state '" + name + "' is longer than " +
+                 std::to_string(detail::format::state::kNameBytes) + " bytes; shorten it");
+        if (names.size() == detail::format::kMaxStates)
+            fail("a field has at most " + std::to_string(detail::format::kMaxStates) +
+                 " light states, base among them; leave out '" + name + "'");
+        names.push_back(name);
+        return static_cast<uint8_t>(names.size() - 1);
+    }
+
+    std::vector<std::string> lights() const
+    {
+        std::vector<std::string> names = {kSky};
+        const auto take = [&](const std::string& name) {
+            if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        };
+        for (const std::string& name : parts_.fixture_names) take(name);
+        for (const Material& material : parts_.materials)
+            if (material.emits()) take(material.name);
+        return names;
+    }
+
+    const std::string file_;
+    SceneParts& parts_;
+};
+
+// The number of a material or fixture that may have come later.
+size_t state_of(const std::vector<uint8_t>& states, size_t k)
+{
+    return k < states.size() ? states[k] : 0;
+}
+
+Environment weighted(Environment sky, const Rgb& weight)
+{
+    if (weight.r == weight.g && weight.g == weight.b) return exposed(std::move(sky), weight.r);
+    const float channels[] = {weight.r, weight.g, weight.b};
+    for (std::array<float, 3>* colour : {&sky.zenith, &sky.horizon, &sky.nadir})
+        for (size_t c = 0; c < 3; ++c) (*colour)[c] *= channels[c];
+    if (sky.picture) {
+        auto picture = std::make_shared<RadiancePicture>(*sky.picture);
+        for (Rgb& pixel : picture->pixels) pixel = pixel * weight;
+        sky.picture = std::move(picture);
+    }
+    return sky;
+}
+
+Fixture weighted(Fixture fixture, const Rgb& weight)
+{
+    struct Weigh {
+        const Rgb& weight;
+
+        void operator()(PointLight& l) const { l.intensity = l.intensity * weight; }
+        void operator()(SpotLight& l) const { l.intensity = l.intensity * weight; }
+        void operator()(DirectionalLight& l) const { l.irradiance = l.irradiance * weight; }
+        void operator()(RectangleLight& l) const { l.radiance = l.radiance * weight; }
+        void operator()(SphereLight& l) const { l.radiance = l.radiance * weight; }
+    };
+    std::visit(Weigh{weight}, fixture);
+    return fixture;
+}
+
+// What shines is seen at its own radiance. Beyond this, a state's other levels would be too coarse.
+float scale_of(const SceneData& scene, uint32_t state)
+{
+    constexpr float kMost = 4, kSteps = 16;
+    float most = 1;
+    for (size_t k = 0; k < scene.materials.size(); ++k)
+        if (state_of(scene.states.of_material, k) == state)
+            most = std::max(most, max_component(scene.materials[k].emission));
+    return std::ceil(std::min(most, kMost) * kSteps) / kSteps;
+}
+
+}  // namespace
+
+void set_light_states(const std::filesystem::path& file, const std::vector<StateOption>& options, SceneParts& parts)
+{
+    StateMaker maker(file.string(), parts);
+    maker.label_all();
+    for (const StateOption& option : options) maker.add(option.name);
+    maker.require_possible();
+}
+
+std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>& weights)
+{
+    SceneParts parts;
+    parts.mesh = scene.mesh;
+    parts.moving = scene.moving;
+    parts.materials = scene.materials;
+    parts.shared_textures = scene.shared_textures;
+    parts.tone = scene.tone;
+    parts.sphere = BoundingSphere{{0, 0, 0}, 1};
+    parts.exposure = 1;  // all light has it already
+    for (size_t k = 0; k < parts.materials.size(); ++k)
+        parts.materials[k].emission = parts.materials[k].emission * weights[state_of(scene.states.of_material, k)];
+    for (size_t k = 0; k < scene.fixtures.size(); ++k)
+        parts.fixtures.push_back(weighted(scene.fixtures[k], weights[state_of(scene.states.of_fixture, k)]));
+    LoadOptions options;
+    options.up = UpAxis::z;
+    const Environment sky = weighted(scene.choice.environment, weights[scene.states.of_sky]);
+    options.environment = exposed(sky, scene.choice.exposure);
+    auto result = std::make_unique<SceneData>(std::move(parts), options);
+    result->centre = scene.centre;
+    result->radius = scene.radius;
+    result->up = scene.up;
+    result->choice = scene.choice;
+    result->choice.environment = sky;
+    result->views = scene.views;
+    return result;
+}
+
+std::vector<LitState> lit_states(const SceneData& scene)
+{
+    std::vector<LitState> states;
+    for (uint32_t k = 0; k < scene.states.names.size(); ++k) {
+        std::vector<Rgb> weights(scene.states.names.size());
+        const float scale = k == 0 ? 1 : scale_of(scene, k);
+        weights[k] = grey(1 / scale);
+        Scene lit(lit_by(scene, weights));
+        if (!lit.data().lights.empty()) states.push_back({scene.states.names[k], std::move(lit), scale});
+    }
+    return states;
+}
+
+}  // namespace lumi::baker

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Light states, through the program.
+#include <catch2/catch.hpp>
+
+#include "image/picture_file.h"
+#include "metrics/psnr.h"
+#include "support/program.h"
+#include "support/small_surface.h"
+#include "support/temporary_folder.h"
+#include "support/test_field.h"
+
+namespace lumi::tools
+{
+namespace
+{
+
+using test::joined;
+using test::lumi;
+
+// A floor, and a panel that shines on it. Azimuth 0 looks at the panel.
+std::string write_room(const test::TemporaryFolder& folder)
+{
+    test::write_content(folder / "room.mtl", "newmtl grey\nKd 0.6 0.5 0.4\nnewmtl panel\nKd 0 0 0\nKe 0.9 0.5 0.2\n");
+    const std::string obj = folder / "room.obj";
+    test::write_content(obj,
+                        "mtllib room.mtl\no floor\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
+                        "o lamp\nusemtl panel\nv -0.9 -0.8 0.1\nv -0.9 0.8 0.1\nv -0.9 0.8 0.9\nv -0.9 -0.8 0.9\n"
+                        "f 5 6 7 8\n");
+    return obj;
+}
+
+Picture lit_picture(const test::Arguments& arguments, const std::string& output)
+{
+    done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,35,3", "--background", "black"})));
+    return read_png(output);
+}
+
+void check_told(const test::Arguments& arguments, const std::string& word)
+{
+    const test::Outcome outcome = lumi(arguments);
+    CHECK(outcome.code != 0);
+    CHECK_THAT(outcome.err, Catch::Contains(word));
+}
+
+}  // namespace
+
+TEST_CASE("states: a field shows the light that the reference of the scene has, and by default all of it")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_room(folder), field = folder / "room.lumi";
+    const test::Arguments same = {"--up", "z", "--sky", "0.8", "--exposure", "0"};
+    done(lumi(joined({"bake", scene, "-o", field, "--fit", "60kB", "--paths", "30", "--state", "panel"}, same)));
+    const Picture all = lit_picture({"render", field}, folder / "a.png");
+    const std::vector<test::Arguments> lights = {{"--state", "panel=1"},
+                                                 {"--state", "panel=0"},
+                                                 {"--state", "base=0.05", "--state", "panel=0.3"},
+                                                 {"--state", "base=0", "--state", "panel=0.1,0.6,1"}};
+    for (const test::Arguments& weights : lights) {
+        const Picture shown = lit_picture(joined({"render", field}, weights), folder / "f.png");
+        const test::Arguments traced = joined({"reference", scene, "--spp", "64"}, same);
+        const Picture truth = lit_picture(joined(traced, weights), folder / "r.png");
+        INFO(weights.back());
+        CHECK(psnr_db(shown, truth) > 28);
+        CHECK((psnr_db(shown, all) > 45) == (weights.back() == "panel=1"));
+    }
+    check_told({"render", field, "-o", folder / "n.png", "--state", "pannel=1"},
+               "named 'pannel' (did you mean panel?); choose among: base, panel");
+    for (const std::string word : {"panel", "panel=2", "panel=1,2", "=1", "panel=-1", "panel="})
+        check_told({"render", field, "-o", folder / "n.png", "--state", word}, "takes NAME=WEIGHT");
+}
+
+TEST_CASE("states: what has none, or cannot, says so")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_room(folder);
+    const test::Arguments bake = {"bake", scene, "-o", folder / "n.lumi", "--state"};
+    check_told(joined(bake, {"lamp"}), "choose among: sky, panel");
+    check_told(joined(bake, {"panel", "--layout", "chord"}), "a chord field has no light states");
+    check_told(joined(bake, {"panel", "--shard", "1/2"}), "is baked whole");
+    test::write_content(folder / "s.lumi", test::small_surface_bytes());
+    check_told({"render", folder / "s.lumi", "-o", folder / "n.png", "--state", "a=1"}, "bake it with --state");
+}
+
+}  // namespace lumi::tools

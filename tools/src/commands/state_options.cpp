@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "commands/state_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "commands/scene_options.h"
+#include "lumi/host/nearest_word.h"
+#include "lumi/surface/states.h"
+#include "terminal/failure.h"
+
+namespace lumi::tools
+{
+namespace
+{
+
+// Names may hold '=': the last one counts.
+baker::StateOption weighted(const std::string& word)
+{
+    const size_t at = std::min(word.rfind('='), word.size());
+    const auto weight = at == word.size() ? std::nullopt : colour_of(word.substr(at + 1));
+    const bool is_sound = weight && std::all_of(weight->begin(), weight->end(), [](float w) { return w <= 1; });
+    if (at == 0 || !is_sound)
+        throw CLI::ValidationError(
+            "--state",
+            "takes NAME=WEIGHT with a weight from 0 to 1, or three as in lamp=1,0.8,0.5, not \"" + word + "\"");
+    return {word.substr(0, at), *weight};
+}
+
+uint16_t q12_of(float weight)
+{
+    return static_cast<uint16_t>(std::lround(weight * static_cast<float>(kFullWeight)));
+}
+
+}  // namespace
+
+void add_state_option(CLI::App& command, std::vector<baker::StateOption>& states, StateWords words)
+{
+    const bool has_weight = words == StateWords::weights;
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--state",
+            [&states, has_weight](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    states.push_back(has_weight ? weighted(text) : baker::StateOption{text});
+            },
+            has_weight ? "Dim lights, or give them a colour: the weight of a light state, 0 to 1 of its linear light, "
+                         "or three for red, green and blue [1]"
+                       : "A light state, whose weight is chosen when the field is drawn: a lamp's node, a material "
+                         "that shines, or sky; all else is the state base")
+        ->type_name(has_weight ? "NAME=WEIGHT" : "NAME")
+        ->expected(1)
+        ->take_all();
+}
+
+std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field)
+{
+    std::vector<std::string> names;
+    for (uint32_t k = 0; field.is_surface() && k < field.surface().state_count; ++k) {
+        const StateName name = state_name(field.surface(), k);
+        names.emplace_back(name.text, name.bytes);
+    }
+    std::vector<StateValue> values;
+    for (const baker::StateOption& state : states) {
+        const auto found = std::find(names.begin(), names.end(), state.name);
+        if (found == names.end()) {
+            std::string list;
+            for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+            throw Failure(field.path(),
+                          "no light state of it is named '" + state.name + "'" + host::meant(state.name, names),
+                          names.empty() ? "it has none; bake it with --state" : "choose among: " + list);
+        }
+        values.push_back({static_cast<uint32_t>(found - names.begin()),
+                          {q12_of(state.weight[0]), q12_of(state.weight[1]), q12_of(state.weight[2])}});
+    }
+    return values;
+}
+
+}  // namespace lumi::tools

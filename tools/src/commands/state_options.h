@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Options that name light states, and their weights.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "draw/draw_surface.h"
+#include "files/field_file.h"
+#include "lumi/baker/scene.h"
+
+namespace lumi::tools
+{
+
+enum class StateWords : uint8_t { names, weights };
+
+// Adds --state NAME, or --state NAME=WEIGHT where weights are chosen: a number from 0 to 1, or three with commas.
+void add_state_option(CLI::App& command, std::vector<baker::StateOption>& states, StateWords words);
+
+// The weights of a field's own states. Throws Failure where it has no state of a name.
+std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field);
+
+}  // namespace lumi::tools
