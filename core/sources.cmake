@@ -69,4 +69,5 @@ set(LUMI_C_SOURCES
   src/c/over_nothing.cpp
   src/c/over_stripe.cpp
   src/c/parts.cpp
-  src/c/quality.cpp)
+  src/c/quality.cpp
+  src/c/states.cpp)

@@ -18,8 +18,8 @@ lv_obj_t* lv_lumi_create(lv_obj_t* parent, lv_lumi_image_t* image);
 void lv_lumi_set_orbit(lv_obj_t* lumi, lumi_orbit orbit);
 lumi_orbit lv_lumi_get_orbit(const lv_obj_t* lumi);
 
-/* Shows moving parts as lumi_turn and lumi_slide have set them in the image's view: prepares the frame, and lets LVGL
- * redraw what has changed. The widget shows the image at its own size. */
+/* Shows moving parts as lumi_turn and lumi_slide have set them in the image's view, and lights as lumi_set_state has:
+ * prepares the frame, and lets LVGL redraw what has changed. The widget shows the image at its own size. */
 lumi_error lv_lumi_show_parts(lv_obj_t* lumi);
 
 /* A mouse's wheel, and an encoder that edits the widget, zoom between these by an eighth a step; LUMI_NO_ZOOM shows the

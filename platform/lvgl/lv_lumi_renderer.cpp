@@ -12,3 +12,4 @@
 #include "../../core/src/c/lumi.cpp"
 #include "../../core/src/c/parts.cpp"
 #include "../../core/src/c/quality.cpp"
+#include "../../core/src/c/states.cpp"

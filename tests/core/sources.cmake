@@ -46,6 +46,7 @@ set(LUMI_CORE_TEST_SOURCES
   c/frames_test.cpp
   c/memory_test.cpp
   c/parts_test.cpp
+  c/states_test.cpp
   control/gesture_test.cpp
   control/quality_test.cpp
   pixel/pack_test.cpp

@@ -230,6 +230,11 @@ FieldError draw_surface_open_see_through(SurfaceView& view, const uint8_t* bytes
     return open_surface<kAllFeatures>(bytes, size, view.field);
 }
 
+bool draw_surface_weigh(SurfaceView& view, uint32_t state, const StateWeight& weight)
+{
+    return set_state(view.field, view.memory, state, weight);
+}
+
 void draw_surface_see_through_coverage(const SurfaceView& view, const Stripe& stripe)
 {
     render_coverage<kAllFeatures>(view.frame, stripe, view.samples);

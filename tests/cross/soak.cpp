@@ -14,6 +14,7 @@
 #include "lumi/surface/halves.h"
 #include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 #include "text_line.h"
 
 namespace
@@ -94,7 +95,9 @@ Guarded<surface_stripe_bytes(kMostSide, kMostSide, SurfaceMode::two_by_two)> sam
 Guarded<kMostVertices * sizeof(SurfaceVertex)> vertex_memory;
 Guarded<2 * surface_links(kMostPatches)> link_memory;
 Guarded<2 * surface_bands(kMostSide, 0)> band_memory, second_band_memory;
-Guarded<4 * (see_through_words(kMostPatches) + part_words(format::kMaxParts))> see_through_memory;
+Guarded<4 * (see_through_words(kMostPatches) + part_words(format::kMaxParts) +
+             state_words(format::kMaxStates, kMostPatches))>
+    see_through_memory;
 
 SurfaceFrame frame;
 SurfaceHalves halves;
@@ -237,13 +240,20 @@ void move_all(const SurfaceField& field, const SurfaceMemory& memory)
     }
 }
 
-// Parts move; then they leave their poses some times and come back.
+StateWeight random_weight()
+{
+    const auto channel = [] { return static_cast<uint16_t>(random_of(3) == 0 ? 0 : random_of(2 * kFullWeight)); };
+    return {channel(), channel(), channel()};
+}
+
+// Parts move, and lights are weighed; then parts leave their poses some times and come back.
 template <class Pixel, class Background>
-void draw_moving(const SurfaceField& field, const Background& background)
+void draw_moving(SurfaceField field, const Background& background)
 {
     constexpr SurfaceFeatures kAll = SurfaceFeatures::all;
     const auto begin = [&](const Look& look) {
         rest_parts(field, look.memory);
+        for (uint32_t k = 0; k < field.state_count; ++k) set_state(field, look.memory, k, random_weight());
         frame.width_px = 0;  // of no field
         move_all(field, look.memory);
         prepare<Pixel, kAll>(field, look);

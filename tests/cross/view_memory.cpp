@@ -11,10 +11,10 @@ namespace
 {
 
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest, uint32_t kSeeThrough, class ScreenOf,
-          uint32_t kParts = 0>
+          uint32_t kParts = 0, uint32_t kStates = 0>
 constexpr bool is_told =
-    sizeof(View<SurfaceDrawing<kVertices, kPatches, kFinest, kSeeThrough, kVertices, kParts>, ScreenOf>) ==
-    host::surface_view_bytes<typename ScreenOf::Pixel>({kVertices, kPatches, kFinest, kSeeThrough, kParts},
+    sizeof(View<SurfaceDrawing<kVertices, kPatches, kFinest, kSeeThrough, kVertices, kParts, kStates>, ScreenOf>) ==
+    host::surface_view_bytes<typename ScreenOf::Pixel>({kVertices, kPatches, kFinest, kSeeThrough, kParts, kStates},
                                                        {ScreenOf::kWidthPx, ScreenOf::kHeightPx, ScreenOf::kRowsPx});
 
 constexpr SurfaceMode kOne = SurfaceMode::one_sample, kSmooth = SurfaceMode::antialiased,
@@ -31,6 +31,8 @@ static_assert(is_told<980, 722, kSmooth, 10, Screen<240, 240, 16>>);
 static_assert(is_told<11, 1, kFour, 7, Screen<239, 100, 3, PixelArgb8888>>);
 static_assert(is_told<980, 722, kSmooth, 0, Screen<240, 240, 16>, 1>);
 static_assert(is_told<980, 722, kSmooth, 10, Screen<240, 240, 16>, 16>);
+static_assert(is_told<980, 722, kSmooth, 0, Screen<240, 240, 16>, 0, 2>);
+static_assert(is_told<980, 722, kSmooth, 10, Screen<240, 240, 16>, 16, 4>);
 
 static_assert(sizeof(View<ChordDrawing<TexelPalette8>, Screen<>>) == host::chord_view_bytes(true));
 static_assert(sizeof(View<ChordDrawing<TexelRgb565, Nearest>, Screen<466, 466, 4, PixelRgb888>>) ==

@@ -10,6 +10,7 @@
 #include "lumi/chord/render_spans.h"
 #include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 
 namespace lumi::fuzz
 {
@@ -75,7 +76,7 @@ inline void draw_chord(const Field& field, const Scene& s)
     detail::with_texel(field.texel_format, [&](auto texel) { draw_chord<decltype(texel)>(field, camera, s); });
 }
 
-inline void draw_surface(const SurfaceField& field, const Scene& s)
+inline void draw_surface(SurfaceField field, const Scene& s)
 {
     SurfaceCamera camera;
     if (make_surface_camera(s.pose, s.image, camera) != CameraError::none) return;
@@ -93,7 +94,11 @@ inline void draw_surface(const SurfaceField& field, const Scene& s)
         const uint32_t value = s.choice * (2 * part + 1) << 8;
         if (!turn_part(field, memory, part, value)) slide_part(field, memory, part, static_cast<int32_t>(value));
     }
-    if (field.part_count != 0)
+    for (uint32_t state = 0; state < field.state_count; ++state) {
+        const auto weight = [&](uint32_t shift) { return static_cast<uint16_t>(s.choice >> shift); };
+        set_state(field, memory, state, {weight(state), weight(8), weight(3 * state)});
+    }
+    if (field.part_count + field.state_count != 0)
         prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
     Canvas canvas(s, PixelRgb565::kBytes);
     const std::unique_ptr<uint32_t[]> samples(new uint32_t[(surface_stripe_bytes(s.width, s.height, mode) + 3) / 4]);

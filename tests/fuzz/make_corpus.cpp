@@ -11,7 +11,6 @@
 
 #include "chord/extreme_chords.h"
 #include "surface/extreme_surfaces.h"
-#include "surface/parts_bytes.h"
 
 namespace
 {
@@ -84,6 +83,10 @@ void write_fields(const std::filesystem::path& folder)
     test::TestPart slides = turns(1 << 20);
     slides.slides = true;
     write_seeds(folder, "parts", test::mover_file(test::mover(test::ball(1, 3), {turns(UINT32_MAX), slides}, 2)));
+    test::TestSurface few = test::ball(1, 3);
+    few.code_bits = 2;
+    write_seeds(folder, "states",
+                test::lit_file(test::mover(few, {turns(UINT32_MAX)}), {{"base"}, {"lamp", 30}, {"x"}}));
     write_seeds(folder, "sheet", test::surface_file(test::wavy_sheet()));
     write_extremes(folder);
 }

@@ -15,6 +15,7 @@
  *     LUMI_C_SURFACE      surface fields, also without this macro if LUMI_C_TEXEL is not defined
  *     LUMI_C_SEE_THROUGH  the same, and they may have see-through parts
  *     LUMI_C_PARTS        the same, and they may have moving parts
+ *     LUMI_C_STATES       the same, and lights of theirs may be weighed
  *
  * Where both kinds of fields are drawn, each view takes that of its field. Calls that a program does not make are not
  * linked (-ffunction-sections and --gc-sections).
@@ -102,6 +103,8 @@ typedef struct lumi_view lumi_view;
 #define LUMI_SEE_THROUGH_MEMORY(see_through_patches) (2048 + 8 * (size_t)(see_through_patches))
 /* To be added for a field with moving parts. */
 #define LUMI_PARTS_MEMORY(parts) (160 * (size_t)(parts))
+/* To be added for a field with light states. */
+#define LUMI_STATES_MEMORY(see_through_patches) ((see_through_patches) != 0 ? 2344 : 800)
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);
@@ -146,6 +149,11 @@ lumi_rect lumi_bounds(const lumi_view* view);
  * such part, or one that moves in the other way. */
 lumi_error lumi_turn(lumi_view* view, uint32_t part, uint32_t turns32);
 lumi_error lumi_slide(lumi_view* view, uint32_t part, int32_t offset_q20);
+
+/* Weighs a light state of a surface field from the next look on: how much of its light shows in each channel, 0 to
+ * LUMI_FULL_WEIGHT; more counts as that. `lumi embed` names the states. bad_argument: no such state. */
+#define LUMI_FULL_WEIGHT 4096
+lumi_error lumi_set_state(lumi_view* view, uint32_t state, uint16_t r_q12, uint16_t g_q12, uint16_t b_q12);
 
 /* Tells the rectangles beside which the last look changed no pixel. Their sides are multiples of `align` as far as the
  * image reaches. At the first look, without LUMI_C_PARTS, and of chord fields it is the image. Nothing without a view

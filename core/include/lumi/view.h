@@ -15,6 +15,7 @@
 #pragma GCC system_header
 
 #include "lumi/background.h"
+#include "lumi/color.h"
 #include "lumi/orbit.h"
 #include "lumi/pixel.h"
 #include "lumi/stripe.h"
@@ -204,6 +205,18 @@ public:
     ViewError slide(uint32_t part, int32_t offset_q20)
     {
         return bytes_ == nullptr ? ViewError::no_field : state_.slide(part, offset_q20);
+    }
+
+    // Weighs a light state of a surface field (surface/states.h) from the next look() on: each channel of its light, or
+    // all of them alike. `lumi embed` names the states. bad_argument: no such state.
+    ViewError set_state(uint32_t state, const StateWeight& weight)
+    {
+        return bytes_ == nullptr ? ViewError::no_field : state_.set_state(state, weight);
+    }
+    ViewError set_state(uint32_t state, uint32_t weight_q12)
+    {
+        const uint16_t weight = static_cast<uint16_t>(weight_q12 < kFullWeight ? weight_q12 : kFullWeight);
+        return set_state(state, StateWeight{weight, weight, weight});
     }
 
     // Tells at most four rectangles beside which the last look() changed no pixel. Their sides are multiples of `align`

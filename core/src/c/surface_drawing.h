@@ -28,11 +28,11 @@ public:
     {
         const Places p = places_of(field, screen);
         const auto at = [&](size_t place) { return static_cast<void*>(static_cast<uint8_t*>(memory) + place); };
-        field_ = field;
+        frame_.field = field;
         memory_ = {static_cast<SurfaceVertex*>(at(0)), static_cast<uint16_t*>(at(p.links)),
                    static_cast<uint16_t*>(at(p.bands)), surface_band_log2(screen.rows_px),
                    static_cast<uint32_t*>(at(p.features))};
-        if constexpr (kMoves) rest_parts(field_, memory_);
+        if constexpr (kMoves) rest_parts(field, memory_);
         samples_ = static_cast<uint32_t*>(at(p.samples));
         samples_bytes_ = samples_bytes(screen);
         finest_ = static_cast<SurfaceMode>(screen.mode);
@@ -45,7 +45,7 @@ public:
         SurfaceCamera camera;
         const CameraError error = make_surface_camera(pose, image, camera);
         if (error != CameraError::none) return view_error(error);
-        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field_, camera, mode, memory_, frame_);
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame_.field, camera, mode, memory_, frame_);
         return ViewError::none;
     }
 
@@ -54,13 +54,19 @@ public:
     ViewError turn(uint32_t part, uint32_t turns32)
     {
         if constexpr (!kMoves) return ViewError::other_renderer;
-        return turn_part(field_, memory_, part, turns32) ? ViewError::none : ViewError::bad_argument;
+        return turn_part(frame_.field, memory_, part, turns32) ? ViewError::none : ViewError::bad_argument;
     }
 
     ViewError slide(uint32_t part, int32_t offset_q20)
     {
         if constexpr (!kMoves) return ViewError::other_renderer;
-        return slide_part(field_, memory_, part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+        return slide_part(frame_.field, memory_, part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+    }
+
+    ViewError set_state(uint32_t state, const StateWeight& weight)
+    {
+        if constexpr (!kWeighs) return ViewError::other_renderer;
+        return lumi::set_state(frame_.field, memory_, state, weight) ? ViewError::none : ViewError::bad_argument;
     }
 
     ChangedRects changed(uint32_t align_x, uint32_t align_y) const { return changed_rects(frame_, align_x, align_y); }
@@ -83,6 +89,7 @@ public:
 
 private:
     static constexpr bool kMoves = has(kFeatures, SurfaceFeatures::parts);
+    static constexpr bool kWeighs = has(kFeatures, SurfaceFeatures::states);
 
     // All lies in this order, vertices first.
     struct Places {
@@ -111,8 +118,7 @@ private:
         return p;
     }
 
-    Field field_{};
-    SurfaceFrame frame_{};
+    SurfaceFrame frame_{};  // its field is that of the view
     SurfaceMemory memory_{};
     uint32_t* samples_ = nullptr;
     uint32_t samples_bytes_ = 0;

@@ -7,7 +7,8 @@
 #include "lumi/view.h"
 #include "types.h"
 
-#if defined(LUMI_C_SURFACE) || defined(LUMI_C_SEE_THROUGH) || defined(LUMI_C_PARTS) || !defined(LUMI_C_TEXEL)
+#if defined(LUMI_C_SURFACE) || defined(LUMI_C_SEE_THROUGH) || defined(LUMI_C_PARTS) || defined(LUMI_C_STATES) || \
+    !defined(LUMI_C_TEXEL)
 #define LUMI_C_DRAWS_SURFACES
 #include "surface_drawing.h"
 #endif
@@ -76,6 +77,11 @@ public:
         return is_chord_ ? ViewError::other_renderer : surface_.slide(part, offset_q20);
     }
 
+    ViewError set_state(uint32_t state, const StateWeight& weight)
+    {
+        return is_chord_ ? ViewError::other_renderer : surface_.set_state(state, weight);
+    }
+
     ChangedRects changed(uint32_t align_x, uint32_t align_y) const { return surface_.changed(align_x, align_y); }
 
     template <class Background>
@@ -109,8 +115,13 @@ inline constexpr SurfaceFeatures kParts = SurfaceFeatures::parts;
 #elif defined(LUMI_C_DRAWS_SURFACES)
 inline constexpr SurfaceFeatures kParts = SurfaceFeatures::none;
 #endif
+#ifdef LUMI_C_STATES
+inline constexpr SurfaceFeatures kStates = SurfaceFeatures::states;
+#elif defined(LUMI_C_DRAWS_SURFACES)
+inline constexpr SurfaceFeatures kStates = SurfaceFeatures::none;
+#endif
 #ifdef LUMI_C_DRAWS_SURFACES
-using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | kSeeThrough | kParts>;
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | kSeeThrough | kParts | kStates>;
 #endif
 #ifdef LUMI_C_TEXEL
 using Chords = ChordDrawingInC<Pixel, LUMI_C_TEXEL>;

@@ -230,8 +230,8 @@ LUMI_ALWAYS_INLINE uint32_t colour_by_states(const StateLight& light, const Surf
 }
 
 // A vertex of a triangle that was listed has the colour 0: no table of the file has lit it.
-__attribute__((noinline)) void light_vertices(const SurfaceFrame& frame, const StateLight& light,
-                                              const SurfaceProjection& projection, const NumberRange& vertices)
+__attribute__((noinline)) void light_by_states(const SurfaceFrame& frame, const StateLight& light,
+                                               const SurfaceProjection& projection, const NumberRange& vertices)
 {
     SurfaceVertex* at = frame.memory.vertices + vertices.begin;
     for (uint32_t k = vertices.begin; k < vertices.end; ++k, ++at)
@@ -256,7 +256,7 @@ void detail::put_states(SurfaceFrame& frame)
     for (uint32_t owner = 0; owner <= field.part_count; ++owner) {
         const SurfaceProjection& projection =
             owner == 0 ? frame.projection : moving_part(moving_parts(field, frame.memory), owner - 1).projection;
-        light_vertices(frame, light, projection, owner_ranges(field, owner).viewed);
+        light_by_states(frame, light, projection, owner_ranges(field, owner).viewed);
     }
 }
 
@@ -279,9 +279,12 @@ void reset_states(SurfaceField& field, const SurfaceMemory& memory)
 bool set_state(SurfaceField& field, const SurfaceMemory& memory, uint32_t state, const StateWeight& weight)
 {
     if (!has_memory(field, memory) || state >= field.state_count) return false;
-    if (!are_mixed(field, memory)) reset_states(field, memory);
     const auto within = [](uint16_t w) { return w < kFullWeight ? w : static_cast<uint16_t>(kFullWeight); };
     const StateWeight next = {within(weight.r_q12), within(weight.g_q12), within(weight.b_q12)};
+    if (!are_mixed(field, memory)) {
+        if ((next.r_q12 & next.g_q12 & next.b_q12) == kFullWeight) return true;
+        reset_states(field, memory);
+    }
     StateWeight& now = weight_of(field, memory, state);
     if (now.r_q12 == next.r_q12 && now.g_q12 == next.g_q12 && now.b_q12 == next.b_q12) return true;
     now = next;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The macros of lumi.h tell no less memory than a view takes, for screens of many sizes.
 #include "c/views.h"
-#include "surface/parts_bytes.h"
+#include "surface/states_bytes.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -35,6 +35,7 @@ size_t macro_of(const SurfaceField& field, const lumi_screen& s)
                               ? LUMI_MEMORY_TWO_BY_TWO(vertices, patches, s.width_px, s.height_px, s.rows_px)
                               : LUMI_MEMORY(vertices, patches, s.width_px, s.height_px, s.rows_px);
     return opaque + LUMI_PARTS_MEMORY(field.part_count) +
+           (field.state_count != 0 ? LUMI_STATES_MEMORY(field.see_through_count) : 0) +
            (field.see_through_count != 0 ? LUMI_SEE_THROUGH_MEMORY(field.see_through_count) : 0);
 }
 
@@ -61,6 +62,8 @@ TEST_CASE("the memory that a macro tells is enough for every screen")
     check_macros(surface_bytes(), LUMI_SEE_THROUGH_MEMORY(0));
     check_macros(see_through_bytes(), 0);
     check_macros(mover_file(moving_ball(9)), 0);
+    check_macros(lit_file(moving_ball(9), four_states()), 0);
+    check_macros(lit_ball_file(four_states()), LUMI_SEE_THROUGH_MEMORY(0));
 #else
     check_macros(surface_bytes(), 0);
 #endif

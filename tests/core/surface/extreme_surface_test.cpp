@@ -5,6 +5,7 @@
 #include "extreme_frames.h"
 #include "extreme_surfaces.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 #include "surface_bytes.h"
 #include "surface_drawing.h"
 
@@ -32,7 +33,7 @@ TestSurface wild_mesh(uint32_t seed)
     return s;
 }
 
-uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
+uint64_t draw_surface(SurfaceField field, const Extreme& e, bool twice)
 {
     SurfaceCamera camera;
     REQUIRE(make_surface_camera(e.edge.pose, e.edge.image, camera) == CameraError::none);
@@ -43,8 +44,10 @@ uint64_t draw_surface(const SurfaceField& field, const Extreme& e, bool twice)
     std::vector<uint16_t> bands(surface_bands(e.edge.image.height_px, band_log2));
     std::vector<uint32_t> see_through(feature_words(field));
     SurfaceFrame frame{};
-    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
-        field, camera, mode, {vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}, frame);
+    const SurfaceMemory memory = {vertices.data(), links.data(), bands.data(), band_log2, see_through.data()};
+    for (uint32_t k = 0; k < field.state_count; ++k)
+        set_state(field, memory, k, {static_cast<uint16_t>(e.choice << k), 9, static_cast<uint16_t>(kFullWeight * k)});
+    prepare_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
     return draw_frame(e.edge, PixelRgb565::kBytes, twice, [&](const Stripe& stripe, uint8_t held) {
         const uint32_t words = (surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4;
         std::vector<uint32_t> samples(words, held * 0x01010101u);
@@ -110,6 +113,24 @@ TEST_CASE("see-through fields whose every number is at its end open, verify and 
             shown += draw_surface(surface.field(), extremes.next(), frame == 0);
     }
     check_shown("generated see-through fields", kGeneratedFrames, shown, 20);
+}
+
+TEST_CASE("fields whose states are of any numbers open, verify and hold in random frames at every extreme")
+{
+    constexpr uint32_t kStatesFrames = kGeneratedFrames / 4;
+    Choices choices(17);
+    Extremes extremes(18);
+    uint64_t shown = 0;
+    for (uint32_t k = 0; k < kStatesFrames; k += kFramesAField) {
+        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_with_states());
+        INFO("field " << k / kFramesAField);
+        REQUIRE(surface.error() == FieldError::none);
+        REQUIRE(surface.field().state_count >= 2);
+        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
+        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
+            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
+    }
+    check_shown("fields with states", kStatesFrames, shown, 20);
 }
 
 TEST_CASE("surface fields hold in random frames at every extreme")

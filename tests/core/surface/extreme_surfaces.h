@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "choices.h"
-#include "surface/see_through_bytes.h"
+#include "surface/states_bytes.h"
 
 namespace lumi::test
 {
@@ -51,6 +51,19 @@ public:
             sections.back().bytes.resize(patches * detail::format::kNeighbourBytes, 0xFF);
         }
         return file_of(sections);
+    }
+
+    // Any numbers may be those of light states.
+    Bytes next_with_states()
+    {
+        TestSurface s;
+        std::vector<TestSection> sections = sections_of(s);
+        std::vector<TestState> states(2 + choose_.below(3));
+        for (TestState& state : states) state = {"x", choose_.end_or_any(16, 255)};
+        TestLight light = light_of(s, states);
+        for (Bytes* bytes : {&light.palettes, &light.nodes, &light.means, &light.gains})
+            for (uint8_t& byte : *bytes) byte = choose_.extreme_byte();
+        return file_with_states(sections, light);
     }
 
 private:

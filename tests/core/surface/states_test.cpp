@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "halves.h"
-#include "lumi/detail/crc32.h"
 #include "lumi/surface/detail/view_nodes.h"
 #include "lumi/surface/parts.h"
+#include "lumi/surface/view.h"
 #include "states_bytes.h"
 #include "surface/fill.h"
 #include "surface/owners.h"
@@ -190,8 +190,8 @@ TEST_CASE("a field whose states nothing weighs shows the same pixels as one with
         for (int k = 0; k < kLooks / 4; ++k) {
             const test::View view = random_view(random, kSide);
             const Bytes wanted = without.shown(view, kSurfaceModes[k % 3]);
-            CHECK(with.shown(view, kSurfaceModes[k % 3]) == wanted);
-            CHECK(skipped.shown<kWithoutStates>(view, kSurfaceModes[k % 3]) == wanted);
+            CHECK((with.shown(view, kSurfaceModes[k % 3]) == wanted));
+            CHECK((skipped.shown<kWithoutStates>(view, kSurfaceModes[k % 3]) == wanted));
         }
     }
 }
@@ -266,6 +266,7 @@ TEST_CASE("vertices are lit as their states' light is mixed, within a level")
             const OpenedGlass opened(file_with_states(surface_sections(s), light));
             REQUIRE(opened.error() == FieldError::none);
             Lit lit(opened.field());
+            lit.reset();
             std::vector<StateWeight> weights(states.size(), {kFull, kFull, kFull});
             double worst = 0;
             int seen = 0, bounded = 0;
@@ -323,9 +324,10 @@ TEST_CASE("frames of moving parts follow their weights, and only another weight 
             lit.turn(0, angle);
             const Bytes shown = lit.shown(view, mode);
             Lit anew(opened.field());
+            anew.reset();
             for (uint32_t n = 0; n < 2; ++n) anew.set(n, weights[n]);
             anew.turn(0, angle);
-            REQUIRE(shown == anew.shown(view, mode));
+            REQUIRE((shown == anew.shown(view, mode)));
             if (lit.frame().columns.begin == lit.frame().columns.end) continue;
             CHECK(lit.keeps_body() == (!looks && !changed));
             kept += lit.keeps_body() ? 1 : 0;
@@ -356,7 +358,7 @@ TEST_CASE("weighed light is the same in rectangles of any size, and from two cor
         const Bytes whole = lit.shown(view, mode);
         const auto width = 1 + static_cast<int32_t>(any(random) % kSide),
                    height = 1 + static_cast<int32_t>(any(random) % 20);
-        CHECK(whole == lit.picture(width, height));
+        CHECK((whole == lit.picture(width, height)));
         SurfaceCamera camera;
         REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
         PreparedFrame by_one(lit.field(), kSide, 3), by_two(lit.field(), kSide, 3);
@@ -374,25 +376,6 @@ TEST_CASE("weighed light is the same in rectangles of any size, and from two cor
             });
         CHECK(are_same(by_one, by_two));
     }
-}
-
-TEST_CASE("weighed light is the same on every processor")
-{
-    const OpenedGlass opened(lit_file(shaded_ball(9), {{"base"}, {"lamp", 24}, {"lid", 20}}));
-    REQUIRE(opened.error() == FieldError::none);
-    Lit lit(opened.field());
-    uint32_t crc = 0;
-    for (uint32_t k = 0; k < 8; ++k) {
-        const double turn = 0.7 * k, height = k - 2.5;
-        lit.set(k % 3, {static_cast<uint16_t>(400 * k), static_cast<uint16_t>(3000 - 400 * k), 300});
-        lit.turn(0, k * 0x13579BDF);
-        const Bytes shown = lit.shown({"",
-                                       look_at({2.2 * std::cos(turn), 2.2 * std::sin(turn), 0.6 * height}, {0, 0, 0}),
-                                       {kSide, kSide, degrees(50.0)}},
-                                      kSurfaceModes[k % 3]);
-        crc = crc32(crc, shown.data(), shown.size());
-    }
-    CHECK(crc == 0xAC4A3ECD);
 }
 
 TEST_CASE("a reader of states without see-through patches finds what comes behind theirs")
@@ -415,4 +398,42 @@ TEST_CASE("a reader of states without see-through patches finds what comes behin
         for (const uint32_t corner : surface_patch(shaded.field(), k).corner)
             if (corner != format::kNoVertex && by_opaque.memory().vertices[corner].colour != kUnlit)
                 CHECK(by_opaque.memory().vertices[corner].colour == by_all.memory().vertices[corner].colour);
+}
+
+TEST_CASE("a view weighs its states from the next look on, and only those that there are")
+{
+    constexpr int32_t kRows = 16;
+    using TestScreen = Screen<kSide, kSide, kRows, PixelRgb888>;
+    static lumi::View<SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 70, 200, 5, 2>, TestScreen> view;
+    static lumi::View<SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 70, 200, 5>, TestScreen> plain;
+    const Bytes file = lit_file(shaded_ball(9)), many = lit_file(shaded_ball(9), four_states());
+    CHECK(view.set_state(1, 100) == ViewError::no_field);
+    CHECK(view.open(many.data(), many.size()) == ViewError::field_too_large);
+    REQUIRE(view.open(file.data(), file.size()) == ViewError::none);
+    REQUIRE(plain.open(many.data(), many.size()) == ViewError::none);
+    CHECK(view.set_state(2, 100) == ViewError::bad_argument);
+    const Orbit orbit = {degrees(30.0), degrees(20.0), radii(3)};
+    const auto picture = [](auto& of) {
+        Bytes pixels(3 * kSide * kSide);
+        for (int32_t y = 0; y < kSide; y += kRows)
+            REQUIRE(of.draw({&pixels[static_cast<uint32_t>(3 * y * kSide)], 0, y, kSide, kRows, 3 * kSide},
+                            OverColour{kSurfaceBackground}) == ViewError::none);
+        return pixels;
+    };
+    const OpenedGlass opened(file);
+    Lit lit(opened.field());
+    lit.reset();
+    const test::View eye = {"", pose_of(orbit), {kSide, kSide, view.fov_of(orbit)}};
+    for (const uint32_t weight : {kFullWeight, 1000u, 0u, 100000u}) {
+        const uint16_t grey = static_cast<uint16_t>(std::min(weight, kFullWeight));
+        REQUIRE(view.look(orbit) == ViewError::none);
+        const Bytes before = picture(view);
+        REQUIRE(view.set_state(1, weight) == ViewError::none);
+        REQUIRE(view.set_state(0, StateWeight{grey, 3000, 0}) == ViewError::none);
+        CHECK((picture(view) == before));
+        lit.set(1, {grey, grey, grey});
+        lit.set(0, {grey, 3000, 0});
+        REQUIRE(view.look(orbit) == ViewError::none);
+        CHECK((picture(view) == lit.shown(eye, SurfaceMode::two_by_two)));
+    }
 }

@@ -8,7 +8,7 @@
 #include "lumi/chord/view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/surface/view.h"
-#include "surface/parts_bytes.h"
+#include "surface/states_bytes.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -156,4 +156,20 @@ TEST_CASE("pictures of moving parts are the same on every machine, and so is wha
     });
     CHECK(of_frames == 0x9067a8f4);
     CHECK(of_changes == 0x2d485f39);
+}
+
+TEST_CASE("pictures of weighed lights are the same on every machine")
+{
+    using Drawing = SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 70, 200, 5, 3>;
+    static lumi::View<Drawing, Small> view;
+    const Bytes bytes = lit_file(shaded_ball(9), {{"base"}, {"lamp", 40}, {"ring", 20}});
+    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
+    const uint32_t crc = crc_of_frames(60, [&](uint32_t k, const Stripe& stripe) {
+        const auto weight = [&](uint32_t n) { return static_cast<uint16_t>(scattered(3 * k + n) % (kFullWeight + 1)); };
+        if (k % 2 == 0) REQUIRE(view.set_state(k % 3, {weight(0), weight(1), weight(2)}) == ViewError::none);
+        REQUIRE(view.turn(0, scattered(k) << 8) == ViewError::none);
+        REQUIRE(view.look(eye(k / 2), static_cast<SurfaceMode>(k / 2 % 3)) == ViewError::none);
+        REQUIRE(view.draw(stripe, OverColour{{40, 80, 160}}) == ViewError::none);
+    });
+    CHECK(crc == 0x4b514f0d);
 }

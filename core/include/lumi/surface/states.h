@@ -3,12 +3,11 @@
 // weight is of linear light, for each channel, so it dims a lamp or gives it a colour. State 0 is all light that no
 // other state names.
 //
-//     reset_states(field, memory);                             // memory: of SurfaceFrame, with feature_words()
-//     set_state(field, memory, 1, {2048, 1024, 0});            // before the next frame is prepared
+//     set_state(field, memory, 1, {2048, 1024, 0});            // memory: of SurfaceFrame, with feature_words()
 //     prepare_surface<PixelRgb565, kFinest, SurfaceFeatures::all>(field, camera, mode, memory, frame);
 //
-// Until one of these was called a field shows all lights at their full weight, as the file has them; from then on it
-// reads its palettes from this memory. A weight that changes makes them anew, and the whole frame.
+// Until a weight is another one a field shows all lights at their full weight, as the file has them; from then on it
+// reads palettes from this memory. A weight that changes makes them anew, and the whole frame.
 #pragma once
 #pragma GCC system_header
 
@@ -26,7 +25,8 @@ struct StateName {
 // Returns that of a state below state_count.
 StateName state_name(const SurfaceField& field, uint32_t state);
 
-// Sets all weights to kFullWeight. Nothing happens to a field without states, or without memory.
+// Sets all weights to kFullWeight, and mixes them; a field that was just opened does not need it. Nothing happens to a
+// field without states, or without memory.
 void reset_states(SurfaceField& field, const SurfaceMemory& memory);
 
 // Returns false if there is no such state. A weight that stays as it is costs nothing, another one two palettes.

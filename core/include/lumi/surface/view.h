@@ -6,6 +6,7 @@
 #include "lumi/surface/halves.h"
 #include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 #include "lumi/view.h"
 
 namespace lumi::detail
@@ -34,12 +35,13 @@ namespace lumi
 // 2 × 2 takes four times as many samples as the others. Of the patches so many more may be see-through; for 0 open()
 // refuses fields that have any, and nothing that draws them is linked. Of the vertices so many may have view tables;
 // for 0 the same holds for these, unless there are see-through patches or two cores prepare. So many parts may move;
-// for 0 the same holds for these.
+// for 0 the same holds for these. There may be so many light states; for 0 a field shows them at their full weight.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased,
-          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices, uint32_t kParts = 0>
+          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices, uint32_t kParts = 0, uint32_t kStates = 0>
 struct SurfaceDrawing {
     static_assert(kVertices <= detail::format::kMaxSurfaceVertices &&
-                      kPatches + kSeeThrough <= detail::format::kMaxPatches && kParts <= detail::format::kMaxParts,
+                      kPatches + kSeeThrough <= detail::format::kMaxPatches && kParts <= detail::format::kMaxParts &&
+                      kStates <= detail::format::kMaxStates,
                   "more than a field has");
     using Mode = SurfaceMode;
     static constexpr Mode kDefaultMode = kFinest;
@@ -52,9 +54,12 @@ struct SurfaceDrawing {
     using Samples = detail::SampleMemory<kSampleBytes<ScreenOf>>;
 
     static constexpr SurfaceFeatures kFeatures =
-        (kSeeThrough + kViewed + kParts != 0 ? SurfaceFeatures::view_tables : SurfaceFeatures::none) |
+        (kSeeThrough + kViewed + kParts + kStates != 0 ? SurfaceFeatures::view_tables : SurfaceFeatures::none) |
         (kSeeThrough != 0 ? SurfaceFeatures::see_through : SurfaceFeatures::none) |
-        (kParts != 0 ? SurfaceFeatures::parts : SurfaceFeatures::none);
+        (kParts != 0 ? SurfaceFeatures::parts : SurfaceFeatures::none) |
+        (kStates != 0 ? SurfaceFeatures::states : SurfaceFeatures::none);
+    static constexpr uint32_t kFeatureWords =
+        see_through_words(kSeeThrough) + part_words(kParts) + state_words(kStates, kSeeThrough);
 
     template <class ScreenOf>
     class Halves
@@ -75,7 +80,7 @@ struct SurfaceDrawing {
 
     template <class ScreenOf>
     // The memory of features is a base: an empty one takes no memory.
-    class State : detail::SampleMemory<4 * (see_through_words(kSeeThrough) + part_words(kParts))>
+    class State : detail::SampleMemory<4 * kFeatureWords>
     {
     public:
         ViewError open(const uint8_t* bytes, size_t size)
@@ -84,10 +89,11 @@ struct SurfaceDrawing {
             if (const FieldError error = open_surface<kFeatures>(bytes, size, field); error != FieldError::none)
                 return detail::view_error(error);
             if (field.vertex_count > kVertices || field.patch_count > kPatches || field.viewed_count > kViewed ||
-                field.see_through_count > kSeeThrough || (kParts != 0 && field.part_count > kParts))
+                field.see_through_count > kSeeThrough || (kParts != 0 && field.part_count > kParts) ||
+                (kStates != 0 && field.state_count > kStates))
                 return ViewError::field_too_large;
-            field_ = field;
-            if constexpr (kParts != 0) detail::rest_parts(field_, memory());
+            frame_.field = field;
+            if constexpr (kParts != 0) detail::rest_parts(field, memory());
             return ViewError::none;
         }
 
@@ -99,7 +105,7 @@ struct SurfaceDrawing {
             SurfaceCamera camera;
             const CameraError error = make_surface_camera(pose, image, camera);
             if (error != CameraError::none) return detail::view_error(error);
-            prepare_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(field_, camera, mode, memory(), frame_,
+            prepare_surface<typename ScreenOf::Pixel, kFinest, kFeatures>(frame_.field, camera, mode, memory(), frame_,
                                                                           both...);
             return ViewError::none;
         }
@@ -109,12 +115,18 @@ struct SurfaceDrawing {
         ViewError turn(uint32_t part, uint32_t turns32)
         {
             static_assert(kParts != 0, "the view is of a field without moving parts: `lumi embed` names their number");
-            return turn_part(field_, memory(), part, turns32) ? ViewError::none : ViewError::bad_argument;
+            return turn_part(frame_.field, memory(), part, turns32) ? ViewError::none : ViewError::bad_argument;
         }
         ViewError slide(uint32_t part, int32_t offset_q20)
         {
             static_assert(kParts != 0, "the view is of a field without moving parts: `lumi embed` names their number");
-            return slide_part(field_, memory(), part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+            return slide_part(frame_.field, memory(), part, offset_q20) ? ViewError::none : ViewError::bad_argument;
+        }
+        ViewError set_state(uint32_t state, const StateWeight& weight)
+        {
+            static_assert(kStates != 0, "the view is of a field without light states: `lumi embed` names their number");
+            const bool is_there = lumi::set_state(frame_.field, memory(), state, weight);
+            return is_there ? ViewError::none : ViewError::bad_argument;
         }
         ChangedRects changed(uint32_t align_x, uint32_t align_y) const
         {
@@ -155,8 +167,7 @@ struct SurfaceDrawing {
 
         static constexpr uint32_t kBandLog2 = surface_band_log2(ScreenOf::kRowsPx);
 
-        SurfaceField field_{};
-        SurfaceFrame frame_{};
+        SurfaceFrame frame_{};  // its field is that of the view
         SurfaceVertex vertices_[kVertices] = {};
         uint16_t links_[surface_links(kPatches)] = {};
         uint16_t bands_[surface_bands(ScreenOf::kHeightPx, kBandLog2)] = {};

@@ -21,7 +21,7 @@ struct SurfaceCounts {
     uint32_t vertices, patches;
     SurfaceMode finest;
     uint32_t see_through;
-    uint32_t parts = 0;
+    uint32_t parts = 0, states = 0;
 };
 
 // Counts the bytes of a stripe's pixels.
@@ -35,12 +35,13 @@ constexpr uint32_t stripe_pixel_bytes(const ScreenSize& screen)
 template <class Pixel>
 constexpr uint32_t surface_view_bytes(const SurfaceCounts& field, const ScreenSize& screen)
 {
-    constexpr uint32_t kNumbers = 1336, kWord = 4, kHalf = 2, kVertex = 12;
+    constexpr uint32_t kNumbers = 1288, kWord = 4, kHalf = 2, kVertex = 12;
     const auto words = [](uint32_t bytes) { return (bytes + kWord - 1) / kWord * kWord; };
     const uint32_t patches = field.patches == 0 ? 1 : field.patches;  // memory for none is no array
     const uint32_t bands = surface_bands(screen.height_px, surface_band_log2(screen.stripe_rows()));
-    return kNumbers + kWord * (see_through_words(field.see_through) + part_words(field.parts)) +
-           kVertex * field.vertices + words(kHalf * (surface_links(patches) + bands)) +
+    const uint32_t features =
+        see_through_words(field.see_through) + part_words(field.parts) + state_words(field.states, field.see_through);
+    return kNumbers + kWord * features + kVertex * field.vertices + words(kHalf * (surface_links(patches) + bands)) +
            words(surface_stripe_bytes_up_to<Pixel>(screen.width_px, screen.stripe_rows(), field.finest));
 }
 
