@@ -3,6 +3,7 @@
 #include "drawing.h"
 #include "lumi/surface/parts.h"
 #include "lumi/surface/render.h"
+#include "lumi/surface/states.h"
 
 namespace lumi::wasm
 {
@@ -16,18 +17,25 @@ LUMI_CONSTANT SurfaceField field = {};
 LUMI_CONSTANT SurfaceFrame frame = {};
 void* samples = nullptr;
 uint32_t part_values[detail::format::kMaxParts] = {};
+uint32_t weights_q12[detail::format::kMaxStates] = {};
 
 }  // namespace
 
 ViewError open_drawing(const uint8_t* bytes, size_t size)
 {
     for (uint32_t& value : part_values) value = 0;
+    for (uint32_t& weight : weights_q12) weight = kFullWeight;
     return detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
 }
 
 void set_part(uint32_t part, uint32_t value)
 {
     if (part < detail::format::kMaxParts) part_values[part] = value;
+}
+
+void set_state_weight(uint32_t state, uint32_t weight_q12)
+{
+    if (state < detail::format::kMaxStates) weights_q12[state] = weight_q12 < kFullWeight ? weight_q12 : kFullWeight;
 }
 
 PartSigns part_signs(uint32_t part)
@@ -69,8 +77,8 @@ uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
 
 uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayFormat format)
 {
-    const host::SurfaceCounts counts = {field.vertex_count, field.patch_count, static_cast<SurfaceMode>(mode),
-                                        field.see_through_count, field.part_count};
+    const host::SurfaceCounts counts = {field.vertex_count,      field.patch_count, static_cast<SurfaceMode>(mode),
+                                        field.see_through_count, field.part_count,  field.state_count};
     return with_pixel(format, [&](auto pixel) { return host::surface_view_bytes<decltype(pixel)>(counts, screen); });
 }
 
@@ -88,10 +96,15 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
     for (uint32_t k = 0; k < mover_count(field); ++k)
         if (!turn_part(field, borrowed, k, part_values[k]))
             slide_part(field, borrowed, k, static_cast<int32_t>(part_values[k]));
+    SurfaceField lit = field;
+    for (uint32_t k = 0; k < field.state_count; ++k) {
+        const uint16_t weight = static_cast<uint16_t>(weights_q12[k]);
+        set_state(lit, borrowed, k, {weight, weight, weight});
+    }
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(
-            field, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
+            lit, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
     });
     return ViewError::none;
 }

@@ -224,6 +224,11 @@ LUMI_EXPORT(part_slides) bool part_slides(uint32_t part)
     return part_signs(part).slides;
 }
 
+LUMI_EXPORT(set_state) void weigh_state(uint32_t state, uint32_t weight_q12)
+{
+    set_state_weight(state, weight_q12);
+}
+
 LUMI_EXPORT(azimuth) uint32_t azimuth()
 {
     return eye.orbit.azimuth_turns32;

@@ -4,10 +4,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "lumi/surface/frame.h"
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
-#include "surface/parts_bytes.h"
+#include "surface/states_bytes.h"
 
 namespace lumi::tools
 {
@@ -40,6 +41,17 @@ TEST_CASE("what a stranger wrote into a field commands no terminal")
 namespace
 {
 
+// The programs main.cpp and main.c that include an embedded field's header.
+void check_compiles(const test::TemporaryFolder& folder)
+{
+    for (const auto& [compiler, standard, file] :
+         {std::array<std::string, 3>{LUMI_CXX_COMPILER, "-std=c++17", "main.cpp"},
+          {LUMI_C_COMPILER, "-std=c99", "main.c"}}) {
+        done(test::run_program({compiler, standard, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I",
+                                LUMI_CORE_INCLUDE, "-I", folder.path(), folder / file}));
+    }
+}
+
 // Parts whose names are no identifiers, or the same one.
 void write_mover(const std::string& path)
 {
@@ -50,7 +62,48 @@ void write_mover(const std::string& path)
     write(path, lumi::test::mover_file(lumi::test::mover(lumi::test::ball(1, 0), parts)));
 }
 
+// States whose names are no identifiers, or the same one.
+void write_lit(const std::string& path)
+{
+    write(path, lumi::test::lit_ball_file({{"base"}, {"desk lamp"}, {"desk-lamp"}, {"switch"}}));
+}
+
 }  // namespace
+
+TEST_CASE("inspect lists lights, and their RAM")
+{
+    const test::TemporaryFolder folder;
+    write_lit(folder / "f.lumi");
+    write(folder / "plain.lumi", lumi::test::surface_file(lumi::test::bumpy_ball()));
+    CHECK_THAT(lumi({"inspect", folder / "f.lumi"}).out,
+               Catch::Contains("  lights        base: their weight is chosen\n") &&
+                   Catch::Contains("  lights        desk lamp: their weight is chosen\n"));
+    const auto json = [&](const char* name) {
+        return nlohmann::json::parse(lumi({"inspect", folder / name, "--json", "--screen", "240x240", "--verify"}).out);
+    };
+    const auto lit = json("f.lumi"), plain = json("plain.lumi");
+    CHECK(lit["states"] == nlohmann::json({"base", "desk lamp", "desk-lamp", "switch"}));
+    CHECK(plain["states"].empty());
+    const auto ram = [](const nlohmann::json& of) { return of["ram_bytes"]["2x2"]["view"].get<uint32_t>(); };
+    CHECK(ram(lit) - ram(plain) == 4 * state_words(4, 0));
+}
+
+TEST_CASE("the header of an embedded field names its states, in C and in C++")
+{
+    const test::TemporaryFolder folder;
+    write_lit(folder / "room.lumi");
+    REQUIRE(lumi({"embed", folder / "room.lumi", "-o", folder / "room.S"}).code == 0);
+    test::write_content(folder / "main.cpp",
+                        "#include \"room.h\"\n"
+                        "static room_view<lumi::Screen<64, 64, 16>> view;\n"
+                        "static_assert(room_states::desk_lamp_2 == 2 && room_state_state_switch == 3, \"\");\n"
+                        "bool dims() { return view.set_state(room_states::desk_lamp, 1) == lumi::ViewError::none; }\n");
+    test::write_content(folder / "main.c",
+                        "#include <lumi/lumi.h>\n#include \"room.h\"\n"
+                        "lumi_error dims(lumi_view* view) { return lumi_set_state(view, room_state_base, 1, 2, 3); }\n"
+                        "int states[room_light_states];\n");
+    check_compiles(folder);
+}
 
 TEST_CASE("inspect lists what moves")
 {
@@ -84,12 +137,7 @@ TEST_CASE("the header of an embedded field names its parts, in C and in C++")
                         "#include <lumi/lumi.h>\n#include \"clock.h\"\n"
                         "lumi_error moves(lumi_view* view) { return lumi_turn(view, clock_part_second_hand, 1); }\n"
                         "int parts[clock_moving_parts];\n");
-    for (const auto& [compiler, standard, file] :
-         {std::array<std::string, 3>{LUMI_CXX_COMPILER, "-std=c++17", "main.cpp"},
-          {LUMI_C_COMPILER, "-std=c99", "main.c"}}) {
-        done(test::run_program({compiler, standard, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I",
-                                LUMI_CORE_INCLUDE, "-I", folder.path(), folder / file}));
-    }
+    check_compiles(folder);
 }
 
 }  // namespace lumi::tools

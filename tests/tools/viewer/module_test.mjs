@@ -79,6 +79,16 @@ test('frames show parts where lumi render has them', async () => {
   }
 });
 
+test('frames show lights as lumi render weighs them', async () => {
+  const {data, module} = await pageOfField();
+  if (!data.states.length) return;
+  const of = more => rendered('97x80', 'one-sample', 'rgb888', data.layout, BACKGROUND, more)[0].pixels;
+  const frame = () => drawn(module, 97, 80, 0, 0, parseInt(BACKGROUND, 16));
+  assert.ok(frame().equals(of([])));
+  module.set_state(1, 1024);
+  assert.ok(frame().equals(of(['--state', `${data.states[1]}=0.25`])));
+});
+
 test('the eye follows a finger, runs on, and comes back', async () => {
   const {module} = await pageOfField();
   const first = module.azimuth();

@@ -15,6 +15,7 @@
 #include "draw/draw_surface.h"
 #include "draw/views.h"
 #include "files/field_file.h"
+#include "files/field_report.h"
 #include "files/output_file.h"
 #include "lumi/chord/render_spans.h"
 #include "program/option_checks.h"
@@ -103,6 +104,14 @@ Json moving_parts(const FieldFile& file)
     return parts;
 }
 
+Json light_states(const FieldFile& file)
+{
+    Json names = Json::array();
+    for (uint32_t k = 0; file.is_surface() && k < file.surface().state_count; ++k)
+        names.push_back(name_of_state(file.surface(), k));
+    return names;
+}
+
 int first_mode_of(const Json& modes)
 {
     for (size_t k = 0; k < modes.size(); ++k)
@@ -148,6 +157,7 @@ Json data_of(const PageOptions& options, const FieldFile& file)
                  {"modes", modes},
                  {"chips", shown_chips()},
                  {"parts", moving_parts(file)},
+                 {"states", light_states(file)},
                  {"references", Json::array()}};
     if (!options.reference.empty())
         for (const std::string& png : read_turntable(options.reference))

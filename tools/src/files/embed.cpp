@@ -168,43 +168,70 @@ static inline size_t @SYMBOL@_size(void)
     return {};
 }
 
-// `count`: shadows of parts take memory, too.
-std::string enum_of_parts(const std::vector<std::string>& names, uint32_t count)
+// What a header says of the numbers of parts or of states. Names have numbers from 0 on; those for C stand behind the
+// field's symbol and `of_c`.
+struct NumberedNames {
+    std::vector<std::string> names;
+    std::string for_c, count, of_c;  // `count` is an enumerator
+    std::string for_cpp, scope;
+};
+
+std::string enum_of(const NumberedNames& numbered)
 {
-    std::string text = R"(
-/* Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS, and shadows with LUMI_C_SEE_THROUGH.
-   So many, shadows included, take memory. */
-enum { @SYMBOL@_moving_parts = @COUNT@)";
-    for (size_t k = 0; k < names.size(); ++k) text += ", @SYMBOL@_part_" + names[k] + " = " + std::to_string(k);
-    return replaced(text, "@COUNT@", std::to_string(count)) + " };\n";
+    if (numbered.names.empty()) return {};
+    std::string text = "\n/* " + numbered.for_c + " */\nenum { @SYMBOL@" + numbered.count;
+    for (size_t k = 0; k < numbered.names.size(); ++k)
+        text += ", @SYMBOL@" + numbered.of_c + numbered.names[k] + " = " + std::to_string(k);
+    return text + " };\n";
 }
 
-std::string namespace_of_parts(const std::vector<std::string>& names)
+std::string namespace_of(const NumberedNames& numbered)
 {
-    std::string text = R"(
-/* Moving parts, for view.turn() and view.slide(). */
-namespace @SYMBOL@_parts
-{
-)";
-    for (size_t k = 0; k < names.size(); ++k)
-        text += "constexpr uint32_t " + names[k] + " = " + std::to_string(k) + ";\n";
+    if (numbered.names.empty()) return {};
+    std::string text = "\n/* " + numbered.for_cpp + " */\nnamespace @SYMBOL@" + numbered.scope + "\n{\n";
+    for (size_t k = 0; k < numbered.names.size(); ++k)
+        text += "constexpr uint32_t " + numbered.names[k] + " = " + std::to_string(k) + ";\n";
     return text + "}\n";
 }
 
-// Identifiers for the parts of a field, all different.
-std::vector<std::string> part_identifiers(const SurfaceField& field)
+// Identifiers for names, all different.
+template <class NameOf>
+std::vector<std::string> identifiers(uint32_t count, const std::string& prefix, const NameOf& name_of)
 {
     std::vector<std::string> names;
-    for (uint32_t part = 0; part < mover_count(field); ++part) {
-        std::string name = symbol_from(name_of_part(field, part));
+    for (uint32_t number = 0; number < count; ++number) {
+        std::string name = symbol_from(name_of(number));
         while (name.find("__") != std::string::npos) name = replaced(name, "__", "_");
-        if (is_taken(name)) name = "part_" + name;
+        if (is_taken(name)) name = prefix + name;
         const std::string first = name;
         for (int k = 2; std::find(names.begin(), names.end(), name) != names.end(); ++k)
             name = first + "_" + std::to_string(k);
         names.push_back(name);
     }
     return names;
+}
+
+NumberedNames parts_of(const SurfaceField& field)
+{
+    return {identifiers(
+                mover_count(field), "part_", [&](uint32_t part) { return name_of_part(field, part); }),
+            "Moving parts: lumi::c draws them if it is compiled with LUMI_C_PARTS, and shadows with LUMI_C_SEE_THROUGH."
+            "\n   So many, shadows included, take memory.",
+            "_moving_parts = " + std::to_string(field.part_count),
+            "_part_",
+            "Moving parts, for view.turn() and view.slide().",
+            "_parts"};
+}
+
+NumberedNames states_of(const SurfaceField& field)
+{
+    return {identifiers(
+                field.state_count, "state_", [&](uint32_t state) { return name_of_state(field, state); }),
+            "Light states: lumi::c weighs them if it is compiled with LUMI_C_STATES.",
+            "_light_states = " + std::to_string(field.state_count),
+            "_state_",
+            "Light states, for view.set_state().",
+            "_states"};
 }
 
 }  // namespace
@@ -251,9 +278,9 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(replaced(result, "@HEADER@", renderer.header), "@PARAMETERS@", renderer.parameters);
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
-    const std::vector<std::string> parts = part_identifiers(counted);
-    result = replaced(result, "@ENUM@", parts.empty() ? "" : enum_of_parts(parts, counted.part_count));
-    result = replaced(result, "@NAMESPACE@", parts.empty() ? "" : namespace_of_parts(parts));
+    const NumberedNames parts = parts_of(counted), states = states_of(counted);
+    result = replaced(result, "@ENUM@", enum_of(parts) + enum_of(states));
+    result = replaced(result, "@NAMESPACE@", namespace_of(parts) + namespace_of(states));
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));
     result = replaced(result, "@PATCHES@", std::to_string(counted.patch_count));
     result = replaced(result, "@SEE_THROUGH@", std::to_string(counted.see_through_count));

@@ -11,6 +11,7 @@
 
 #include "lumi/chord/render_spans.h"
 #include "lumi/chord/texel.h"
+#include "lumi/surface/states.h"
 #include "terminal/text.h"
 
 namespace lumi::tools
@@ -119,6 +120,8 @@ void append_surface(std::string& text, const SurfaceField& field)
     if (field.see_through_count != 0)
         append_line(text, "  see-through   %" PRIu32 " patches besides", field.see_through_count);
     for (uint32_t k = 0; k < mover_count(field); ++k) append_part(text, name_of_part(field, k), part_motion(field, k));
+    for (uint32_t k = 0; k < field.state_count; ++k)
+        append_line(text, "  lights        %s: their weight is chosen", visible(name_of_state(field, k)).c_str());
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
@@ -150,10 +153,13 @@ nlohmann::ordered_json json_of(const SurfaceField& field)
 {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
     for (uint32_t k = 0; k < mover_count(field); ++k) parts.push_back(json_of_part(field, k));
+    nlohmann::ordered_json states = nlohmann::ordered_json::array();
+    for (uint32_t k = 0; k < field.state_count; ++k) states.push_back(name_of_state(field, k));
     return {{"triangles", triangles_of(field)},
             {"patches", field.patch_count},
             {"see_through_patches", field.see_through_count},
             {"parts", parts},
+            {"states", states},
             {"vertices", field.vertex_count},
             {"viewed_vertices", field.viewed_count},
             {"texels", field.texel_bytes},
@@ -175,6 +181,12 @@ nlohmann::ordered_json json_of(const Field& field)
 std::string name_of_part(const SurfaceField& field, uint32_t part)
 {
     const PartName name = part_name(field, part);
+    return std::string(name.text, name.bytes);
+}
+
+std::string name_of_state(const SurfaceField& field, uint32_t state)
+{
+    const StateName name = state_name(field, state);
     return std::string(name.text, name.bytes);
 }
 
@@ -268,9 +280,10 @@ RendererName renderer_of(const SurfaceField& field)
     const std::string drawing =
         "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
     std::string last = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
-    if (field.part_count != 0)
+    if (field.part_count + field.state_count != 0)
         last = ", " + std::to_string(field.see_through_count) + ", " + std::to_string(field.vertex_count) + ", " +
                std::to_string(field.part_count);
+    if (field.state_count != 0) last += ", " + std::to_string(field.state_count);
     const bool is_plain = last.empty() && field.viewed_count == 0;
     return named("lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
                  drawing, "Finest" + (is_plain ? ", 0, 0" : last),

@@ -11,6 +11,7 @@ namespace lumi::tools
 
 uint32_t triangles_of(const SurfaceField& field);
 std::string name_of_part(const SurfaceField& field, uint32_t part);
+std::string name_of_state(const SurfaceField& field, uint32_t state);
 
 // For people, and for programs; both end with a line break. If `verify`, each section's bytes are compared with its
 // CRC.

@@ -66,6 +66,12 @@ class Turner {
     this.isDirty = true;
   }
 
+  // A share of its full light.
+  setState(number, weight) {
+    this.module.set_state(number, Math.round(4096 * weight));
+    this.isDirty = true;
+  }
+
   // The arrow keys are a finger that goes on and on.
   moveByKeys(elapsed) {
     const {finger, held} = this;

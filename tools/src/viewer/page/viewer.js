@@ -105,6 +105,15 @@ function showTime() {
   data.parts.forEach((part, k) => { if (handOf(part)) movePart(k, handOf(part)[1](time) % 360); });
 }
 
+function buildStates() {
+  $('states').hidden = !data.states.length;
+  data.states.forEach((name, k) => {
+    const slider = element('input', {type: 'range', min: 0, max: 1, step: 1 / 256, value: 1});
+    slider.addEventListener('input', () => turner.setState(k, Number(slider.value)));
+    $('states').append(element('label', {}, element('span', {textContent: name}), slider));
+  });
+}
+
 // ---- Motion
 
 let lastTick = 0, lastFrame = 0;
@@ -332,6 +341,7 @@ async function start() {
     state.spinning = !STILL;
     buildSettings(fieldBytes);
     buildParts();
+    buildStates();
     listen();
     fitScreen();
     showSettings();
