@@ -146,8 +146,10 @@ struct Reference {
             for (size_t m = 0; m < 3; ++m) {
                 const uint32_t node = taps.node[m];
                 uint32_t code = 0;
-                for (uint32_t bit = 0; bit < bits; ++bit)
-                    code |= (record[(node * bits + bit) / 8] >> ((node * bits + bit) % 8) & 1u) << bit;
+                for (uint32_t bit = 0; bit < bits; ++bit) {
+                    const uint32_t place = node * bits + bit, byte = record[place / 8];
+                    code |= (byte >> (place % 8) & 1u) << bit;
+                }
                 const auto at = k * set + ((size_t{node} << bits) + code) * 3 + c;
                 d += taps.weight_q8[m] / 256.0 * static_cast<int8_t>(light.nodes[at]);
             }
