@@ -121,7 +121,7 @@ public:
     Packing(const FitShape& shape, std::vector<Solving>& lights) : shape_(shape), lights_(lights)
     {
         for (const Solving& l : lights) {
-            levels_.push_back(&l.model.texels);
+            levels_.push_back({l.model.texels, l.light.scale});
             scales_.push_back(l.light.scale);
         }
     }
@@ -144,7 +144,7 @@ public:
     {
         const bool has_states = lights_.size() > 1;
         PalettedTexels texels =
-            paletted(shape_, tone, levels_, has_states ? mixed_texels(levels_, scales_) : *levels_[0], kept);
+            paletted(shape_, tone, levels_, has_states ? mixed_texels(levels_) : levels_[0].texels, kept);
         for (QuantisedViews& views : views_) cover_views(shape_, views.views);
         FieldParts parts = {sphere.centre, sphere.radius, texels.palettes[0], std::move(texels.texels), {}, {}};
         QuantisedViews views = views_[0];

@@ -25,7 +25,8 @@ StatePoint levels_about(const FitShape& shape, const LevelsOfStates& levels, uin
     StatePoint point{};
     const float coverage = shape.see_through.empty() ? 1 : shape.see_through[texel].coverage;
     for (size_t s = 0; s < levels.size(); ++s)
-        for (size_t c = 0; c < 3; ++c) point[3 * s + c] = coverage * std::clamp((*levels[s])[texel][c], 0.0f, kWhite);
+        for (size_t c = 0; c < 3; ++c)
+            point[3 * s + c] = coverage * std::clamp(levels[s].texels[texel][c], 0.0f, kWhite);
     return point;
 }
 
@@ -49,18 +50,19 @@ LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<floa
     return result;
 }
 
-std::vector<LevelColour> mixed_texels(const LevelsOfStates& levels, const std::vector<float>& scales)
+std::vector<LevelColour> mixed_texels(const LevelsOfStates& states)
 {
-    std::vector<LevelColour> result;
-    std::vector<LevelColour> one(levels.size());
-    for (size_t t = 0; t < levels[0]->size(); ++t) {
-        for (size_t s = 0; s < levels.size(); ++s) one[s] = (*levels[s])[t];
+    std::vector<float> scales;
+    for (const StateLevels& state : states) scales.push_back(state.scale);
+    std::vector<LevelColour> result, one(states.size());
+    for (size_t t = 0; t < states[0].texels.size(); ++t) {
+        for (size_t s = 0; s < states.size(); ++s) one[s] = states[s].texels[t];
         result.push_back(mixed(one, scales));
     }
     return result;
 }
 
-std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& levels,
+std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& states,
                                   const std::vector<PaletteColours>& palettes)
 {
     std::vector<StatePoint> entries(kPaletteEntries), sums(shape.mesh.positions.size());
@@ -71,7 +73,7 @@ std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& l
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = shape.layout.rectangles[p];
         for (uint32_t k = 0; k < r.size(); ++k) {
-            const StatePoint point = levels_about(shape, levels, r.begin + k);
+            const StatePoint point = levels_about(shape, states, r.begin + k);
             const float x = (static_cast<float>(k % r.n) + 0.5f) / static_cast<float>(r.n),
                         y = (static_cast<float>(k / r.n) + 0.5f) / static_cast<float>(r.m);
             for (uint32_t corner = 0; corner < 4; ++corner) {

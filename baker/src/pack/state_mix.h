@@ -11,10 +11,10 @@ namespace lumi::baker
 // The levels of all states together; `levels` and `scales` by state.
 LevelColour levels_of(const Rgb8& colour);
 LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<float>& scales);
-std::vector<LevelColour> mixed_texels(const LevelsOfStates& levels, const std::vector<float>& scales);
+std::vector<LevelColour> mixed_texels(const LevelsOfStates& states);
 
 // By vertex: the entry of the palettes that is nearest to the mean of the texels about it.
-std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& levels,
+std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& states,
                                   const std::vector<PaletteColours>& palettes);
 
 // The view tables of all states together, with the codes that they share. `views`, `palettes` by state.

@@ -94,9 +94,10 @@ uint8_t level_byte(float v)
 }
 
 template <size_t N>
-Rgb8 colour_at(const std::array<float, N>& point, size_t at)
+Rgb8 colour_at(const std::array<float, N>& point, size_t at, float importance = 1)
 {
-    return {level_byte(point[at]), level_byte(point[at + 1]), level_byte(point[at + 2])};
+    const auto level = [&](size_t c) { return level_byte(point[at + c] / importance); };
+    return {level(0), level(1), level(2)};
 }
 
 // The texels of patches that are see-through, or of the others.
@@ -114,13 +115,21 @@ std::vector<uint32_t> texels_of(const FitShape& shape, bool see_through)
 constexpr uint64_t kTexelPaletteSeed = 0x73706C;
 constexpr size_t kMaxSamples = 32768;  // more change the palette's error by less than a hundredth
 
+// A level's error is seen as so many at full weight.
+float importance_of(const StateLevels& state)
+{
+    constexpr float kGamma = 2.2f;
+    return std::pow(state.scale, 1 / kGamma);
+}
+
 // What the texel shows in each state.
 template <size_t N>
 std::array<float, N> point_of(const LevelsOfStates& levels, size_t texel)
 {
     std::array<float, N> point{};
     for (size_t k = 0; k < levels.size(); ++k)
-        for (size_t c = 0; c < 3; ++c) point[3 * k + c] = shown_level((*levels[k])[texel][c]);
+        for (size_t c = 0; c < 3; ++c)
+            point[3 * k + c] = importance_of(levels[k]) * shown_level(levels[k].texels[texel][c]);
     return point;
 }
 
@@ -134,10 +143,14 @@ void put_opaque(const FitShape& shape, const LevelsOfStates& levels, PalettedTex
         some.push_back(point_of<N>(levels, opaque[k]));
     std::vector<std::array<float, N>> centres = k_means(some, {}, detail::format::kPaletteEntries, kTexelPaletteSeed);
     for (std::array<float, N>& c : centres)
-        for (float& v : c) v = std::round(v);
+        for (size_t n = 0; n < 3 * levels.size(); ++n) {
+            const float importance = importance_of(levels[n / 3]);
+            c[n] = importance * std::round(c[n] / importance);
+        }
     for (size_t k = 0; k < centres.size(); ++k)
-        for (size_t s = 0; s < levels.size(); ++s) result.palettes[s][k] = colour_at(centres[k], 3 * s);
-    for (size_t t = 0; t < levels[0]->size(); ++t)
+        for (size_t s = 0; s < levels.size(); ++s)
+            result.palettes[s][k] = colour_at(centres[k], 3 * s, importance_of(levels[s]));
+    for (size_t t = 0; t < levels[0].texels.size(); ++t)
         result.texels.push_back(static_cast<uint8_t>(nearest_centre(centres, point_of<N>(levels, t)).index));
 }
 
@@ -152,7 +165,7 @@ void put_see_through(const FitShape& shape, const EncodedTone& tone, const Level
     for (const uint32_t t : places) {
         std::array<float, N> point{};
         for (size_t k = 0; k < levels.size(); ++k) {
-            const auto added = added_and_passed(shape.see_through[t], tone, (*levels[k])[t]);
+            const auto added = added_and_passed(shape.see_through[t], tone, levels[k].texels[t]);
             std::copy_n(added.begin(), 3, point.begin() + static_cast<ptrdiff_t>(3 * k));
         }
         const auto mixed = added_and_passed(shape.see_through[t], tone, all[t]);

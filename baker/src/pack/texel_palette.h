@@ -18,8 +18,12 @@ struct PalettedTexels {
     std::vector<uint8_t> texels;
 };
 
-// By state of the light: what each texel shows.
-using LevelsOfStates = std::vector<const std::vector<LevelColour>*>;
+// What each texel shows in a state of the light; borrowed. All its light is divided by `scale`.
+struct StateLevels {
+    const std::vector<LevelColour>& texels;
+    float scale = 1;
+};
+using LevelsOfStates = std::vector<StateLevels>;
 
 // `all`: what texels show in all states together. `kept`: the last entries of see-through texels that stay free.
 PalettedTexels paletted(const FitShape& shape, const EncodedTone& tone, const LevelsOfStates& levels,
