@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/lab/pictures.sh [readme] [looks] [traced] [drawn] [NAME...]
+# tools/lab/pictures.sh [readme] [looks] [states] [traced] [drawn] [NAME...]
 # Makes pictures of the documents anew, from the scenes of the project; without arguments all of them. readme: those of
-# README. looks: the skies of docs/scenes.md. traced: its scenes with 512 light paths a pixel, a minute each. drawn: the
+# README. looks: the skies of docs/scenes.md. states: one room and one clock in several lights. traced: its scenes with 512 light paths a pixel, a minute each. drawn: the
 # same from fields that a bake without options makes, and how like the traced ones they are. NAME: of these alone, such
 # as product-front.
 set -euo pipefail
@@ -59,14 +59,30 @@ draw_looks() {
   done
 }
 
+# draw_state NAME FIELD ORBIT ARGUMENT...
+draw_state() {
+  "$lumi" render "$work/$2.lumi" -o "$root/docs/img/state-$1.png" --orbit "$3" --size 176x176 --background 202428 \
+    "${@:4}" >/dev/null
+}
+
+draw_states() {
+  bake_once room "$scenes/cornell.obj" --sky overcast --state lamp --state sky --fit 250kB --paths 100
+  bake_once ring "$scenes/product.obj" --state glow --fit 250kB
+  draw_state day room 180,2,2.5 --state lamp=0
+  draw_state dusk room 180,2,2.5 --state sky=0.2,0.25,0.4
+  draw_state night room 180,2,2.5 --state sky=0 --state lamp=0.6
+  draw_state ring ring 30,20,3 --state base=0.08 --state glow=1,0.02,0.3
+}
+
 main() {
   if [[ ${1:-} == --help ]]; then help "$0" && exit; fi
-  local wanted=" ${*:-readme looks traced drawn} " picture name scene eye
+  local wanted=" ${*:-readme looks states traced drawn} " picture name scene eye
   mkdir -p "$work"
   rm -f "$work/rows.json"
   run_step "Build" build_lumi
   if [[ $wanted == *" readme "* ]]; then run_step "readme" draw_readme; fi
   if [[ $wanted == *" looks "* ]]; then run_step "looks" draw_looks; fi
+  if [[ $wanted == *" states "* ]]; then run_step "states" draw_states; fi
   for picture in "${pictures[@]}"; do
     read -r name scene eye <<<"$picture"
     if [[ $wanted == *" traced "* || $wanted == *" $name "* ]]; then run_step "$name" trace "$name" "$scene" "$eye"; fi
