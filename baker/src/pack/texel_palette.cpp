@@ -100,15 +100,23 @@ Rgb8 colour_at(const std::array<float, N>& point, size_t at, float importance = 
     return {level(0), level(1), level(2)};
 }
 
-// The texels of patches that are see-through, or of the others.
+// By texel: whether its patch is see-through.
+std::vector<bool> see_through_texels(const FitShape& shape)
+{
+    std::vector<bool> is_see_through(shape.layout.texels);
+    for (uint32_t p = shape.mesh.opaque_patches(); p < shape.mesh.patches.size(); ++p) {
+        const PatchRectangle& r = shape.layout.rectangles[p];
+        std::fill_n(is_see_through.begin() + r.begin, r.size(), true);
+    }
+    return is_see_through;
+}
+
 std::vector<uint32_t> texels_of(const FitShape& shape, bool see_through)
 {
+    const std::vector<bool> is_see_through = see_through_texels(shape);
     std::vector<uint32_t> texels;
-    for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
-        const PatchRectangle& r = shape.layout.rectangles[p];
-        if ((p >= shape.mesh.opaque_patches()) != see_through) continue;
-        for (uint32_t t = r.begin; t < r.begin + r.size(); ++t) texels.push_back(t);
-    }
+    for (uint32_t t = 0; t < is_see_through.size(); ++t)
+        if (is_see_through[t] == see_through) texels.push_back(t);
     return texels;
 }
 
