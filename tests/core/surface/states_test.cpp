@@ -242,8 +242,8 @@ TEST_CASE("one state alone at its full weight shows its palette as it is")
     for (uint32_t state = 0; state < 2; ++state) {
         lit.reset();
         REQUIRE(lit.set(1 - state, {0, 0, 0}));
-        CHECK(std::equal(light.palettes.begin() + state * format::state::kPaletteBytes,
-                         light.palettes.begin() + (state + 1) * format::state::kPaletteBytes, lit.field().palette));
+        const uint8_t* const own = light.palettes.data() + state * format::state::kPaletteBytes;
+        CHECK(std::equal(own, own + format::state::kPaletteBytes, lit.field().palette));
     }
     lit.set(1, {0, 0, 0});
     lit.set(0, {0, 0, 0});
@@ -426,7 +426,8 @@ TEST_CASE("a view weighs its states from the next look on, and only those that t
     Lit lit(opened.field());
     lit.reset();
     const test::View eye = {"", pose_of(orbit), {kSide, kSide, view.fov_of(orbit)}};
-    for (const uint32_t weight : {kFullWeight, 1000u, 0u, 100000u}) {
+    const uint32_t weights[] = {kFullWeight, 1000, 0, 100000};
+    for (const uint32_t weight : weights) {
         const uint16_t grey = static_cast<uint16_t>(std::min(weight, kFullWeight));
         REQUIRE(view.look(orbit) == ViewError::none);
         const Bytes before = picture(view);
