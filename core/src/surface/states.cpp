@@ -3,7 +3,7 @@
 #include "lumi/surface/states.h"
 
 #include "lumi/surface/parts.h"
-#include "math/generate.h"
+#include "surface/levels.h"
 #include "surface/owners.h"
 #include "surface/view_light.h"
 
@@ -17,71 +17,6 @@ using namespace detail::format;
 
 constexpr uint32_t kWordsAWeight = 2;
 constexpr uint32_t kChannels = 3;
-
-// Linear light: white is 2^15 in the table of levels and 2^17 in sums.
-constexpr uint32_t kWhiteQ15 = 1u << 15, kWhiteLog2 = 17, kWhiteQ17 = 1u << kWhiteLog2;
-// The levels of light stand in two tables of even steps: for all light, and finer ones for what is dark.
-constexpr uint32_t kStepsLog2 = 7, kDarkLog2 = 5;
-constexpr uint32_t kRestBits = kWhiteLog2 - kStepsLog2;
-constexpr int32_t kMostQ2 = 1023;
-
-struct Levels {
-    uint16_t light_q15[kMostQ2 + 1];  // of every quarter of a level
-    uint16_t level_q6[2][(1 << kStepsLog2) + 1];
-};
-
-// v^(1/n), 0 < v <= 1.
-constexpr double nth_root(double v, int n)
-{
-    double y = 1;
-    for (int step = 0; step < 64; ++step) {
-        double power = 1;
-        for (int k = 1; k < n; ++k) power *= y;
-        y += (v / power - y) / n;
-    }
-    return y;
-}
-
-// IEC 61966-2-1.
-constexpr double light_of(double level)
-{
-    if (level <= 0.04045) return level / 12.92;
-    const double x = (level + 0.055) / 1.055;
-    return x * x * nth_root(x * x, 5);
-}
-constexpr double level_of(double light)
-{
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * nth_root(light * light * light * light * light, 12) - 0.055;
-}
-
-constexpr Levels make_levels()
-{
-    Levels levels{};
-    for (uint32_t k = 0; k <= kMostQ2; ++k)
-        levels.light_q15[k] = static_cast<uint16_t>(light_of(k < 1020 ? k / 1020.0 : 1) * kWhiteQ15 + 0.5);
-    for (uint32_t k = 0; k <= 1u << kStepsLog2; ++k) {
-        const double light = static_cast<double>(k) / (1u << kStepsLog2);
-        levels.level_q6[0][k] = static_cast<uint16_t>(level_of(light) * 255 * 64 + 0.5);
-        levels.level_q6[1][k] = static_cast<uint16_t>(level_of(light / (1u << kDarkLog2)) * 255 * 64 + 0.5);
-    }
-    return levels;
-}
-
-constexpr Levels kLevels = make_levels();
-
-// Returns the level of a sum of light: white for all that is more.
-LUMI_ALWAYS_INLINE uint32_t level_q6_of(uint32_t light_q17)
-{
-    if (light_q17 >= kWhiteQ17) return 255 << 6;
-    const uint16_t* level = kLevels.level_q6[0];
-    if (light_q17 < kWhiteQ17 >> kDarkLog2) {
-        light_q17 <<= kDarkLog2;
-        level = kLevels.level_q6[1];
-    }
-    level += light_q17 >> kRestBits;
-    const uint32_t rest = light_q17 & ((1u << kRestBits) - 1);
-    return level[0] + (static_cast<uint32_t>(level[1] - level[0]) * rest >> kRestBits);
-}
 
 // Memory of states, behind that of see-through patches and parts: weights, the palette, see-through parts.
 uint32_t* words_of(const SurfaceField& field, const SurfaceMemory& memory)
@@ -229,40 +164,61 @@ LUMI_ALWAYS_INLINE uint32_t colour_by_states(const StateLight& light, const Surf
                                difference_q2(b_q17, mixed[2]));
 }
 
-// A vertex of a triangle that was listed has the colour 0: no table of the file has lit it.
+StateLight light_of(const SurfaceFrame& frame)
+{
+    const SurfaceField& field = frame.field;
+    const uint32_t states = field.state_count;
+    const uint8_t* const nodes = field.states + states_views_at(states, field.has_states_of_see_through);
+    return {field,
+            field.states + states_palettes_at(states),
+            nodes,
+            nodes + states * view_colours_bytes(field.code_bits),
+            state_view_bytes(states),
+            mix_of(field, frame.memory)};
+}
+
+// Every so many vertices. One of a triangle that was listed has the colour 0: no table of the file has lit it.
 __attribute__((noinline)) void light_by_states(const SurfaceFrame& frame, const StateLight& light,
-                                               const SurfaceProjection& projection, const NumberRange& vertices)
+                                               const SurfaceProjection& projection, const NumberRange& vertices,
+                                               uint32_t step)
 {
     SurfaceVertex* at = frame.memory.vertices + vertices.begin;
-    for (uint32_t k = vertices.begin; k < vertices.end; ++k, ++at)
+    for (uint32_t k = vertices.begin; k < vertices.end; k += step, at += step)
         if (at->colour == 0) at->colour = colour_by_states(light, projection, k);
+}
+
+// Where nothing shows, vertices may not be known.
+bool is_lit_by_states(const SurfaceFrame& frame)
+{
+    return are_mixed(frame.field, frame.memory) && frame.columns.begin != frame.columns.end;
 }
 
 }  // namespace
 
-void detail::put_states(SurfaceFrame& frame)
+void detail::put_states_of_half(const SurfaceFrame& frame, uint32_t half)
 {
-    const SurfaceField& field = frame.field;
-    if (!are_mixed(field, frame.memory)) return;
-    if (frame.columns.begin == frame.columns.end) return;  // nothing shows, and vertices may not be known
-    const uint32_t states = field.state_count;
-    const uint8_t* const nodes = field.states + states_views_at(states, field.has_states_of_see_through);
-    const StateLight light = {field,
-                              field.states + states_palettes_at(states),
-                              nodes,
-                              nodes + states * view_colours_bytes(field.code_bits),
-                              state_view_bytes(states),
-                              mix_of(field, frame.memory)};
-    for (uint32_t owner = 0; owner <= field.part_count; ++owner) {
+    if (!is_lit_by_states(frame)) return;
+    const uint32_t end = owner_ranges(frame.field, 0).viewed.end;
+    light_by_states(frame, light_of(frame), frame.projection, {half, end}, 2);
+}
+
+void detail::put_states(const SurfaceFrame& frame)
+{
+    if (!is_lit_by_states(frame)) return;
+    const StateLight light = light_of(frame);
+    for (uint32_t owner = 0; owner <= frame.field.part_count; ++owner) {
         const SurfaceProjection& projection =
-            owner == 0 ? frame.projection : moving_part(moving_parts(field, frame.memory), owner - 1).projection;
-        light_by_states(frame, light, projection, owner_ranges(field, owner).viewed);
+            owner == 0 ? frame.projection : moving_part(moving_parts(frame.field, frame.memory), owner - 1).projection;
+        light_by_states(frame, light, projection, owner_ranges(frame.field, owner).viewed, 1);
     }
 }
 
-void reset_states(SurfaceField& field, const SurfaceMemory& memory)
+namespace
 {
-    if (!has_memory(field, memory)) return;
+
+// From here on the field reads palettes that are to be mixed.
+void begin_mixing(SurfaceField& field, const SurfaceMemory& memory)
+{
     constexpr uint16_t kFull = kFullWeight;
     for (uint32_t k = 0; k < field.state_count; ++k) weight_of(field, memory, k) = {kFull, kFull, kFull};
     uint8_t* const palette = palette_of(field, memory);
@@ -273,6 +229,14 @@ void reset_states(SurfaceField& field, const SurfaceMemory& memory)
     }
     field.palette = palette;
     field.lit_count = 0;
+}
+
+}  // namespace
+
+void reset_states(SurfaceField& field, const SurfaceMemory& memory)
+{
+    if (!has_memory(field, memory)) return;
+    begin_mixing(field, memory);
     mix_all(field, memory);
 }
 
@@ -283,7 +247,7 @@ bool set_state(SurfaceField& field, const SurfaceMemory& memory, uint32_t state,
     const StateWeight next = {within(weight.r_q12), within(weight.g_q12), within(weight.b_q12)};
     if (!are_mixed(field, memory)) {
         if ((next.r_q12 & next.g_q12 & next.b_q12) == kFullWeight) return true;
-        reset_states(field, memory);
+        begin_mixing(field, memory);
     }
     StateWeight& now = weight_of(field, memory, state);
     if (now.r_q12 == next.r_q12 && now.g_q12 == next.g_q12 && now.b_q12 == next.b_q12) return true;

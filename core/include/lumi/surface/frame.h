@@ -183,7 +183,9 @@ void put_outlines(const SurfaceFrame& frame, uint32_t begin, uint32_t end);
 void put_see_through(SurfaceFrame& frame);
 
 // After all triangles were listed it lights what the file's view tables have not, by the weights of states.
-void put_states(SurfaceFrame& frame);
+void put_states(const SurfaceFrame& frame);
+// Does so for every other vertex of the body.
+void put_states_of_half(const SurfaceFrame& frame, uint32_t half);
 
 // Parts may move if there is memory for them; else they rest.
 inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)

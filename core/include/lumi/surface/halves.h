@@ -82,11 +82,14 @@ inline PatchRange patches_of(uint32_t count, uint32_t half)
     return half == 0 ? PatchRange{0, middle} : PatchRange{middle, count};
 }
 
-template <SurfaceMode kFinest>
-void put_outlines_of_half(const SurfaceFrame& frame, int32_t step, const PatchRange& patches)
+// Ends a step: `patches` are those of the half.
+template <SurfaceMode kFinest, SurfaceFeatures kFeatures>
+void end_half(const SurfaceFrame& frame, int32_t step, [[maybe_unused]] uint32_t half, const PatchRange& patches)
 {
+    if (step != kLightVertices) return;
+    if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states_of_half(frame, half);
     if constexpr (kFinest != SurfaceMode::one_sample)
-        if (step == kLightVertices && frame.margin != 0) put_outlines(frame, patches.begin, patches.end);
+        if (frame.margin != 0) put_outlines(frame, patches.begin, patches.end);
 }
 
 template <class Both>
@@ -113,11 +116,11 @@ void prepare_half(SurfaceHalves& halves, int32_t step, uint32_t half)
         if (detail::may_move(frame.field, frame.memory)) {
             detail::run_half_of_body(halves, step, half);
             const detail::PatchRange parts = detail::patches_of_parts(frame);
-            return detail::put_outlines_of_half<kFinest>(frame, step, detail::patches_of(parts.begin, half));
+            return detail::end_half<kFinest, kFeatures>(frame, step, half, detail::patches_of(parts.begin, half));
         }
     }
     detail::run_half(halves, step, half);
-    detail::put_outlines_of_half<kFinest>(frame, step, detail::patches_of(frame.field.patch_count, half));
+    detail::end_half<kFinest, kFeatures>(frame, step, half, detail::patches_of(frame.field.patch_count, half));
 }
 
 // Prepares a frame as prepare_surface() does on one core, and as fast as that if `both` runs both halves here. Give
