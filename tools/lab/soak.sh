@@ -3,7 +3,7 @@
 # tools/lab/soak.sh [--minutes N]
 # Draws random frames on an emulated Cortex-M0+, Cortex-M4 and Cortex-M55 at once, so long (a minute if not said): random
 # orbits, image sizes, stripes, pixel formats and modes of three surface fields, one of them with see-through parts and
-# one with moving ones, and a chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
+# one with moving ones and light states, and a chord field, with guard zones around every buffer and a painted stack (tests/cross/soak.cpp). Each frame drawn in stripes
 # must be the frame drawn whole, by whichever of the two ways it was prepared, on one core or in halves. Sums up what was
 # drawn. The first fault ends it and names the seed that shows it again.
 set -euo pipefail
@@ -39,7 +39,8 @@ bake_fields() {
   [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
   python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work"
   [[ -f $work/bottle.lumi ]] || "$lumi" bake "$work/bottle.json" -o "$work/bottle.lumi" --layout surface --fit 60kB --paths 10
-  [[ -f $work/moving.lumi ]] || "$lumi" bake "$root/baker/scenes/clock.json" -o "$work/moving.lumi" --fit 60kB --paths 4
+  [[ -f $work/moving.lumi ]] || "$lumi" bake "$root/baker/scenes/clock.json" -o "$work/moving.lumi" --state glow \
+    --fit 60kB --paths 4
   [[ -f $work/chord.lumi ]] ||
     "$lumi" bake "$scene" -o "$work/chord.lumi" --origins 256 --directions 512 --texel rgb565 --spp 2
 }

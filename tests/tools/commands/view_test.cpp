@@ -7,7 +7,7 @@
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"
-#include "surface/parts_bytes.h"
+#include "surface/states_bytes.h"
 #include "viewer/modules.h"
 
 namespace lumi::tools
@@ -130,7 +130,7 @@ TEST_CASE("a page's module draws what render draws, for fields of both layouts a
                 {"bake", LUMI_TEST_SCENE, "-o", fields.back(), "--origins", "20", "--directions", "20", "--spp", "1"})
                 .code == 0);
     fields.push_back(folder() / "parts.lumi");
-    const lumi::test::Bytes parts = lumi::test::mover_file(lumi::test::moving_ball());
+    const lumi::test::Bytes parts = lumi::test::lit_file(lumi::test::moving_ball());
     test::write_content(fields.back(), std::string(parts.begin(), parts.end()));
     for (size_t k = 0; k < fields.size(); ++k) {
         const std::string& path = fields[k];
