@@ -36,7 +36,7 @@ ViewError open_drawing(const uint8_t* bytes, size_t size)
 
 void set_part(uint32_t, uint32_t) {}
 
-void set_state_weight(uint32_t, uint32_t) {}
+void set_state_weight(uint32_t, const StateWeight&) {}
 
 PartSigns part_signs(uint32_t)
 {

@@ -8,6 +8,7 @@
 
 #include "lumi/background.h"
 #include "lumi/camera.h"
+#include "lumi/color.h"
 #include "lumi/host/view_memory.h"
 #include "lumi/pixel.h"
 #include "lumi/stripe.h"
@@ -74,8 +75,9 @@ struct PartSigns {
 };
 PartSigns part_signs(uint32_t part);
 
-// From the next look() on so much of a light state shows, 0 .. kFullWeight. A number of no state counts for nothing.
-void set_state_weight(uint32_t state, uint32_t weight_q12);
+// From the next look() on so much of a light state shows, or a tint has this colour. A number of no state counts for
+// nothing.
+void set_state_weight(uint32_t state, const StateWeight& weight);
 
 // Bytes of memory that look() takes for images of that size, whatever the style.
 uint32_t drawing_bytes(int32_t width_px, int32_t height_px);

@@ -17,15 +17,16 @@ LUMI_CONSTANT SurfaceField field = {};
 LUMI_CONSTANT SurfaceFrame frame = {};
 void* samples = nullptr;
 uint32_t part_values[detail::format::kMaxParts] = {};
-uint32_t weights_q12[detail::format::kMaxStates] = {};
+StateWeight weights[detail::format::kMaxStates] = {};
 
 }  // namespace
 
 ViewError open_drawing(const uint8_t* bytes, size_t size)
 {
     for (uint32_t& value : part_values) value = 0;
-    for (uint32_t& weight : weights_q12) weight = kFullWeight;
-    return detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
+    const ViewError error = detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
+    for (uint32_t k = 0; k < field.state_count; ++k) weights[k] = default_weight(field, k);
+    return error;
 }
 
 void set_part(uint32_t part, uint32_t value)
@@ -33,9 +34,9 @@ void set_part(uint32_t part, uint32_t value)
     if (part < detail::format::kMaxParts) part_values[part] = value;
 }
 
-void set_state_weight(uint32_t state, uint32_t weight_q12)
+void set_state_weight(uint32_t state, const StateWeight& weight)
 {
-    if (state < detail::format::kMaxStates) weights_q12[state] = weight_q12 < kFullWeight ? weight_q12 : kFullWeight;
+    if (state < detail::format::kMaxStates) weights[state] = weight;
 }
 
 PartSigns part_signs(uint32_t part)
@@ -97,10 +98,7 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
         if (!turn_part(field, borrowed, k, part_values[k]))
             slide_part(field, borrowed, k, static_cast<int32_t>(part_values[k]));
     SurfaceField lit = field;
-    for (uint32_t k = 0; k < field.state_count; ++k) {
-        const uint16_t weight = static_cast<uint16_t>(weights_q12[k]);
-        set_state(lit, borrowed, k, {weight, weight, weight});
-    }
+    for (uint32_t k = 0; k < field.state_count; ++k) set_state(lit, borrowed, k, weights[k]);
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
         prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(

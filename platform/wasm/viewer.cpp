@@ -224,9 +224,11 @@ LUMI_EXPORT(part_slides) bool part_slides(uint32_t part)
     return part_signs(part).slides;
 }
 
-LUMI_EXPORT(set_state) void weigh_state(uint32_t state, uint32_t weight_q12)
+// Each weight is at most 2^16 - 1; kFullWeight is all.
+LUMI_EXPORT(set_state) void weigh_state(uint32_t state, uint32_t r_q12, uint32_t g_q12, uint32_t b_q12)
 {
-    set_state_weight(state, weight_q12);
+    const auto weight = [](uint32_t q12) { return static_cast<uint16_t>(q12); };
+    set_state_weight(state, {weight(r_q12), weight(g_q12), weight(b_q12)});
 }
 
 LUMI_EXPORT(azimuth) uint32_t azimuth()

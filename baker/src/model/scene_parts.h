@@ -49,6 +49,7 @@ struct LightStates {
     std::vector<std::string> names;  // the first, base, is all that no other names; empty: there are no states
     std::vector<uint8_t> of_material, of_fixture;
     uint8_t of_sky = 0;
+    bool are_tints = false;  // states are base colours of materials, and base is all light where these are black
 };
 
 // A scene in its own units and axes, before the sphere is fitted. Positions are finite, every triangle has an area,

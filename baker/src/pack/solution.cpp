@@ -9,6 +9,7 @@
 #include "fit/fit_model.h"
 #include "fit/fit_solver.h"
 #include "fit/texel_finish.h"
+#include "image/tone.h"
 #include "pack/state_mix.h"
 #include "pack/surface_writer.h"
 #include "pack/texel_palette.h"
@@ -114,6 +115,19 @@ struct Solving {
     FitModel model;
 };
 
+// A tint shows what its colour adds to the first light.
+void part_tints(const FitShape& shape, std::vector<Solving>& lights)
+{
+    if (!lights.back().light.is_tint) return;
+    FitModel base = lights[0].model;
+    lights[0].solution.refit_texels(base);
+    for (Solving& light : lights) {
+        if (!light.light.is_tint) continue;
+        light.solution.refit_texels(light.model);
+        take_away(shape, base, light.model);
+    }
+}
+
 // The texels and view tables of all states, in the format's bits.
 class Packing
 {
@@ -121,8 +135,10 @@ public:
     Packing(const FitShape& shape, std::vector<Solving>& lights) : shape_(shape), lights_(lights)
     {
         for (const Solving& l : lights) {
-            levels_.push_back({l.model.texels, l.light.scale});
-            scales_.push_back(l.light.scale);
+            const Rgb8 usual = srgb_encode(l.light.usual);
+            usual_.push_back(usual);
+            factors_.push_back(Rgb{srgb_decode(usual.r), srgb_decode(usual.g), srgb_decode(usual.b)} * l.light.scale);
+            levels_.push_back({l.model.texels, l.light.scale, factors_.back()});
         }
     }
 
@@ -150,7 +166,7 @@ public:
         QuantisedViews views = views_[0];
         if (has_states) {
             parts.means = mean_entries(shape_, levels_, texels.palettes);
-            views = mixed_views(views_, texels.palettes, scales_, parts.means);
+            views = mixed_views(views_, texels.palettes, factors_, parts.means);
             parts.palette = mixed_colours(texels.palettes);
             put_states(texels, parts);
         }
@@ -168,7 +184,7 @@ private:
         std::vector<LevelColour> levels(palettes.size());
         for (size_t k = 0; k < result.size(); ++k) {
             for (size_t s = 0; s < palettes.size(); ++s) levels[s] = levels_of(palettes[s][k]);
-            const LevelColour c = mixed(levels, scales_);
+            const LevelColour c = mixed(levels, factors_);
             const auto byte = [](float v) { return static_cast<uint8_t>(std::lround(v)); };
             result[k] = {byte(c[0]), byte(c[1]), byte(c[2])};
         }
@@ -178,14 +194,16 @@ private:
     void put_states(const PalettedTexels& texels, FieldParts& parts)
     {
         for (size_t k = 0; k < lights_.size(); ++k)
-            parts.states.push_back({lights_[k].light.name, scales_[k], texels.palettes[k], texels.added[k],
-                                    std::move(views_[k].colours), std::move(views_[k].views)});
+            parts.states.push_back({lights_[k].light.name, lights_[k].light.scale, usual_[k], lights_[k].light.is_tint,
+                                    texels.palettes[k], texels.added[k], std::move(views_[k].colours),
+                                    std::move(views_[k].views)});
     }
 
     const FitShape& shape_;
     std::vector<Solving>& lights_;
     LevelsOfStates levels_;
-    std::vector<float> scales_;
+    std::vector<Rgb8> usual_;
+    std::vector<Rgb> factors_;
     std::vector<QuantisedViews> views_;
 };
 
@@ -208,11 +226,13 @@ FieldParts solved(const std::vector<TracedLight>& lights, const FieldSphere& sph
         job.run(1, [&](uint32_t) { model.viewed = viewed_vertices(state.sums, model, kLeastDifference); });
         solution.solve(model, "tables");
     }
+    job.run(1, [&](uint32_t) { part_tints(shape, solving); });
     Packing packing(shape, solving);
     job.run(1, [&](uint32_t) { packing.quantise_views(); });
     FieldParts parts;
     job.run(1, [&](uint32_t) {
-        for (Solving& light : solving) light.solution.refit_texels(light.model);
+        for (Solving& light : solving)
+            if (!light.light.is_tint) light.solution.refit_texels(light.model);
         parts = packing.parts(sphere, lights[0].state.tone, kept);
     });
     return parts;

@@ -18,12 +18,14 @@ struct FieldSphere {
 // About as much work as tracing so many light paths; less once it is known which vertices need no view table.
 uint64_t solution_work(const FitState& state);
 
-// A state of the light, traced; borrowed. Its light is divided by `scale`.
+// A state of the light, traced; borrowed. Its light is divided by `scale`, a multiple of 1/16.
 struct TracedLight {
     FitState& state;
     BakeStages& stages;
     std::string name = {};
     float scale = 1;
+    Rgb usual = grey(1);   // its weight until another is chosen
+    bool is_tint = false;  // it shows what is left after the first light is taken away
 };
 
 // The colours that fit best, in the format's bits. Leaves the sums in order. Takes all that is left of the job's work,

@@ -37,13 +37,15 @@ LevelColour levels_of(const Rgb8& c)
     return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
 }
 
-LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<float>& scales)
+LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<Rgb>& factors)
 {
     LevelColour result;
     for (size_t c = 0; c < 3; ++c) {
         double sum = 0;
         for (size_t s = 0; s < levels.size(); ++s)
-            sum += static_cast<double>(scales[s]) *
+            sum += static_cast<double>(c == 0   ? factors[s].r
+                                       : c == 1 ? factors[s].g
+                                                : factors[s].b) *
                    srgb_linear(static_cast<double>(std::clamp(levels[s][c], 0.0f, kWhite) / kWhite));
         result[c] = kWhite * static_cast<float>(std::min(srgb_encoded(sum), 1.0));
     }
@@ -52,24 +54,24 @@ LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<floa
 
 std::vector<LevelColour> mixed_texels(const LevelsOfStates& states)
 {
-    std::vector<float> scales;
-    for (const StateLevels& state : states) scales.push_back(state.scale);
+    std::vector<Rgb> factors;
+    for (const StateLevels& state : states) factors.push_back(state.factor);
     std::vector<LevelColour> result, one(states.size());
     for (size_t t = 0; t < states[0].texels.size(); ++t) {
         for (size_t s = 0; s < states.size(); ++s) one[s] = states[s].texels[t];
-        result.push_back(mixed(one, scales));
+        result.push_back(mixed(one, factors));
     }
     return result;
 }
 
-std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& states,
-                                  const std::vector<PaletteColours>& palettes)
+namespace
 {
-    std::vector<StatePoint> entries(kPaletteEntries), sums(shape.mesh.positions.size());
+
+// By vertex: the mean of the texels about it, nearer ones count more.
+std::vector<StatePoint> vertex_means(const FitShape& shape, const LevelsOfStates& states)
+{
+    std::vector<StatePoint> sums(shape.mesh.positions.size());
     std::vector<float> weights(sums.size());
-    for (size_t k = 0; k < kPaletteEntries; ++k)
-        for (size_t s = 0; s < palettes.size(); ++s)
-            for (size_t c = 0; c < 3; ++c) entries[k][3 * s + c] = levels_of(palettes[s][k])[c];
     for (uint32_t p = 0; p < shape.mesh.patches.size(); ++p) {
         const PatchRectangle& r = shape.layout.rectangles[p];
         for (uint32_t k = 0; k < r.size(); ++k) {
@@ -85,11 +87,46 @@ std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& s
             }
         }
     }
-    std::vector<uint8_t> means;
-    for (size_t v = 0; v < sums.size(); ++v) {
+    for (size_t v = 0; v < sums.size(); ++v)
         for (float& c : sums[v]) c /= std::max(weights[v], 1e-6f);
-        means.push_back(static_cast<uint8_t>(nearest_centre(entries, sums[v]).index));
+    return sums;
+}
+
+// The level of the light of one level less that of another.
+float left_of(float level, float less)
+{
+    const auto linear = [](float v) { return srgb_linear(static_cast<double>(std::clamp(v, 0.0f, kWhite) / kWhite)); };
+    return kWhite * static_cast<float>(srgb_encoded(std::max(linear(level) - linear(less), 0.0)));
+}
+
+}  // namespace
+
+void take_away(const FitShape& shape, const FitModel& base, FitModel& model)
+{
+    const std::vector<StatePoint> means = vertex_means(shape, {{base.texels}, {model.texels}});
+    for (size_t v = 0; v < means.size(); ++v) {
+        for (size_t at = v * kViewNodes; at < (v + 1) * kViewNodes; ++at) {
+            for (size_t c = 0; c < 3; ++c) {
+                const float less = means[v][c], all = means[v][3 + c];
+                model.nodes[at][c] = left_of(all + model.nodes[at][c], less + base.nodes[at][c]) - left_of(all, less);
+            }
+        }
+        model.viewed[v] = model.viewed[v] != 0 || base.viewed[v] != 0 ? 1 : 0;
     }
+    for (size_t t = 0; t < model.texels.size(); ++t)
+        for (size_t c = 0; c < 3; ++c) model.texels[t][c] = left_of(model.texels[t][c], base.texels[t][c]);
+}
+
+std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& states,
+                                  const std::vector<PaletteColours>& palettes)
+{
+    std::vector<StatePoint> entries(kPaletteEntries);
+    for (size_t k = 0; k < kPaletteEntries; ++k)
+        for (size_t s = 0; s < palettes.size(); ++s)
+            for (size_t c = 0; c < 3; ++c) entries[k][3 * s + c] = levels_of(palettes[s][k])[c];
+    std::vector<uint8_t> means;
+    for (const StatePoint& mean : vertex_means(shape, states))
+        means.push_back(static_cast<uint8_t>(nearest_centre(entries, mean).index));
     return means;
 }
 
@@ -166,7 +203,7 @@ private:
 }  // namespace
 
 QuantisedViews mixed_views(const std::vector<QuantisedViews>& views, const std::vector<PaletteColours>& palettes,
-                           const std::vector<float>& scales, const std::vector<uint8_t>& means)
+                           const std::vector<Rgb>& factors, const std::vector<uint8_t>& means)
 {
     std::vector<std::vector<LevelColour>> nodes;
     for (const QuantisedViews& q : views) nodes.push_back(decoded(q));
@@ -174,11 +211,11 @@ QuantisedViews mixed_views(const std::vector<QuantisedViews>& views, const std::
     for (size_t v = 0; v < means.size(); ++v) {
         if (!views[0].views[v].is_there()) continue;
         for (size_t s = 0; s < views.size(); ++s) mean[s] = levels_of(palettes[s][means[v]]);
-        const LevelColour all = mixed(mean, scales);
+        const LevelColour all = mixed(mean, factors);
         for (size_t at = v * kViewNodes; at < (v + 1) * kViewNodes; ++at) {
             for (size_t s = 0; s < views.size(); ++s)
                 for (size_t c = 0; c < 3; ++c) shown[s][c] = mean[s][c] + nodes[s][at][c];
-            const LevelColour seen = mixed(shown, scales);
+            const LevelColour seen = mixed(shown, factors);
             for (size_t c = 0; c < 3; ++c) differences[at][c] = seen[c] - all[c];
         }
     }

@@ -8,10 +8,13 @@
 namespace lumi::baker
 {
 
-// The levels of all states together; `levels` and `scales` by state.
+// The levels of all states together; `levels` and `factors` by state.
 LevelColour levels_of(const Rgb8& colour);
-LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<float>& scales);
+LevelColour mixed(const std::vector<LevelColour>& levels, const std::vector<Rgb>& factors);
 std::vector<LevelColour> mixed_texels(const LevelsOfStates& states);
+
+// Takes the light of `base` away from texels and view tables of `model`.
+void take_away(const FitShape& shape, const FitModel& base, FitModel& model);
 
 // By vertex: the entry of the palettes that is nearest to the mean of the texels about it.
 std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& states,
@@ -19,6 +22,6 @@ std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& s
 
 // The view tables of all states together, with the codes that they share. `views`, `palettes` by state.
 QuantisedViews mixed_views(const std::vector<QuantisedViews>& views, const std::vector<PaletteColours>& palettes,
-                           const std::vector<float>& scales, const std::vector<uint8_t>& means);
+                           const std::vector<Rgb>& factors, const std::vector<uint8_t>& means);
 
 }  // namespace lumi::baker

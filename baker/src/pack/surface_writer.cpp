@@ -260,12 +260,18 @@ std::vector<uint8_t> states_section(const FitShape& shape, const FieldParts& par
     namespace at = detail::format::state;
     Bytes b(detail::format::states_palettes_at(static_cast<uint32_t>(parts.states.size())));
     b.put8(0, static_cast<uint8_t>(parts.states.size()));
+    uint32_t tints = 0;
     for (size_t k = 0; k < parts.states.size(); ++k) {
         const StateColours& state = parts.states[k];
         const size_t record = detail::format::kStatesHeaderBytes + k * detail::format::kStateBytes;
         for (size_t c = 0; c < state.name.size(); ++c) b.put8(record + c, static_cast<uint8_t>(state.name[c]));
         b.put8(record + at::kScaleAt, static_cast<uint8_t>(std::lround(state.scale * float{at::kOneQ4})));
+        size_t byte = record + at::kDefaultAt;
+        for (const uint8_t level : {state.usual.r, state.usual.g, state.usual.b})
+            b.put8(byte++, static_cast<uint8_t>(UINT8_MAX - level));
+        tints |= state.is_tint ? 1u << k : 0;
     }
+    b.put8(1, static_cast<uint8_t>(tints));
     std::vector<uint8_t> bytes = b.take();
     for (const StateColours& state : parts.states) append_colours(bytes, state.palette);
     if (shape.mesh.see_through_patches != 0)

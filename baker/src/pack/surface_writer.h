@@ -38,7 +38,9 @@ struct SeeThroughColour {
 // A state of the light, of a field that has several.
 struct StateColours {
     std::string name;
-    float scale = 1;                // all its light is divided by it
+    float scale = 1;               // all its light is divided by it
+    Rgb8 usual = {255, 255, 255};  // the level of its weight until another is chosen
+    bool is_tint = false;
     PaletteColours palette, added;  // of texels, and of what see-through texels add
     NodeColours node_colours;
     std::vector<ViewCode> views;  // by vertex; the codes are the same in all states

@@ -22,6 +22,7 @@ struct PalettedTexels {
 struct StateLevels {
     const std::vector<LevelColour>& texels;
     float scale = 1;
+    Rgb factor = grey(1);  // the scale, times the weight until another is chosen
 };
 using LevelsOfStates = std::vector<StateLevels>;
 

@@ -59,6 +59,27 @@ public:
             if (parts_.materials[k].emits() && parts_.materials[k].name == name) parts_.states.of_material[k] = number;
     }
 
+    void add_tint(const std::string& name)
+    {
+        const std::vector<size_t> materials = materials_named(name);
+        const uint8_t number = number_of(name);
+        parts_.states.are_tints = true;
+        for (const size_t k : materials) parts_.states.of_material[k] = number;
+    }
+
+    void paint(const StateOption& option)
+    {
+        for (const size_t k : materials_named(option.name)) {
+            parts_.materials[k].base = {option.weight[0], option.weight[1], option.weight[2]};
+            parts_.materials[k].finish();
+        }
+    }
+
+    void require_no_state() const
+    {
+        if (!parts_.states.names.empty()) fail("a field has light states or tints, not both; leave out one kind");
+    }
+
     void require_possible() const
     {
         if (parts_.states.names.empty()) return;
@@ -85,6 +106,20 @@ private:
                  " light states, base among them; leave out '" + name + "'");
         names.push_back(name);
         return static_cast<uint8_t>(names.size() - 1);
+    }
+
+    std::vector<size_t> materials_named(const std::string& name) const
+    {
+        std::vector<size_t> found;
+        std::vector<std::string> names;
+        for (size_t k = 0; k < parts_.materials.size(); ++k) {
+            names.push_back(parts_.materials[k].name);
+            if (names.back() == name) found.push_back(k);
+        }
+        if (found.empty())
+            fail("no material is named '" + name + "'" + host::meant(name, names) +
+                 "; choose among: " + joined(names, ", "));
+        return found;
     }
 
     std::vector<std::string> lights() const
@@ -159,23 +194,34 @@ void set_light_states(const std::filesystem::path& file, const std::vector<State
     maker.require_possible();
 }
 
-std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>& weights)
+void set_tints(const std::filesystem::path& file, const LoadOptions& options, SceneParts& parts)
+{
+    StateMaker maker(file.string(), parts);
+    for (const StateOption& option : options.base_colours) maker.paint(option);
+    if (options.tints.empty()) return;
+    maker.require_no_state();
+    for (const std::string& name : options.tints) maker.add_tint(name);
+    maker.require_possible();
+}
+
+namespace
+{
+
+// The scene with other materials, and other light that has its exposure already.
+std::unique_ptr<SceneData> changed(const SceneData& scene, std::vector<Material> materials,
+                                   std::vector<Fixture> fixtures, const Environment& sky)
 {
     SceneParts parts;
     parts.mesh = scene.mesh;
     parts.moving = scene.moving;
-    parts.materials = scene.materials;
+    parts.materials = std::move(materials);
+    parts.fixtures = std::move(fixtures);
     parts.shared_textures = scene.shared_textures;
     parts.tone = scene.tone;
     parts.sphere = BoundingSphere{{0, 0, 0}, 1};
-    parts.exposure = 1;  // all light has it already
-    for (size_t k = 0; k < parts.materials.size(); ++k)
-        parts.materials[k].emission = parts.materials[k].emission * weights[state_of(scene.states.of_material, k)];
-    for (size_t k = 0; k < scene.fixtures.size(); ++k)
-        parts.fixtures.push_back(weighted(scene.fixtures[k], weights[state_of(scene.states.of_fixture, k)]));
+    parts.exposure = 1;
     LoadOptions options;
     options.up = UpAxis::z;
-    const Environment sky = weighted(scene.choice.environment, weights[scene.states.of_sky]);
     options.environment = exposed(sky, scene.choice.exposure);
     auto result = std::make_unique<SceneData>(std::move(parts), options);
     result->centre = scene.centre;
@@ -187,15 +233,58 @@ std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>
     return result;
 }
 
+// Light between surfaces makes a field a little more than linear in a colour: it is exact for black and for this.
+constexpr float kTint = 0.8f;
+
+// All tints are black but that of a number.
+std::unique_ptr<SceneData> painted(const SceneData& scene, uint32_t number)
+{
+    std::vector<Material> materials = scene.materials;
+    for (size_t k = 0; k < materials.size(); ++k) {
+        const size_t tint = state_of(scene.states.of_material, k);
+        if (tint == 0) continue;
+        materials[k].base = grey(tint == number ? kTint : 0);
+        materials[k].finish();
+    }
+    return changed(scene, std::move(materials), scene.fixtures, scene.choice.environment);
+}
+
+// The base colour that the model gives a tint; of several materials that of the first.
+Rgb usual_of(const SceneData& scene, uint32_t number)
+{
+    for (size_t k = 0; number != 0 && k < scene.materials.size(); ++k)
+        if (state_of(scene.states.of_material, k) == number) return scene.materials[k].base;
+    return grey(1);
+}
+
+}  // namespace
+
+std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>& weights)
+{
+    std::vector<Material> materials = scene.materials;
+    for (size_t k = 0; k < materials.size(); ++k)
+        materials[k].emission = materials[k].emission * weights[state_of(scene.states.of_material, k)];
+    std::vector<Fixture> fixtures;
+    for (size_t k = 0; k < scene.fixtures.size(); ++k)
+        fixtures.push_back(weighted(scene.fixtures[k], weights[state_of(scene.states.of_fixture, k)]));
+    return changed(scene, std::move(materials), std::move(fixtures),
+                   weighted(scene.choice.environment, weights[scene.states.of_sky]));
+}
+
 std::vector<LitState> lit_states(const SceneData& scene)
 {
     std::vector<LitState> states;
     for (uint32_t k = 0; k < scene.states.names.size(); ++k) {
+        const std::string& name = scene.states.names[k];
+        if (scene.states.are_tints) {
+            states.push_back({name, Scene(painted(scene, k)), k == 0 ? 1 : 1 / kTint, usual_of(scene, k), k != 0});
+            continue;
+        }
         std::vector<Rgb> weights(scene.states.names.size());
         const float scale = k == 0 ? 1 : scale_of(scene, k);
         weights[k] = grey(1 / scale);
         Scene lit(lit_by(scene, weights));
-        if (!lit.data().lights.empty()) states.push_back({scene.states.names[k], std::move(lit), scale});
+        if (!lit.data().lights.empty()) states.push_back({name, std::move(lit), scale});
     }
     return states;
 }

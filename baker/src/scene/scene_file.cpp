@@ -319,6 +319,7 @@ Scene load_scene(const std::filesystem::path& file, const LoadOptions& options, 
     if (!options.frame.empty()) frame_part(file, options.frame, parts);
     set_moving_parts(file, options.parts, parts);
     set_light_states(file, options.states, parts);
+    set_tints(file, options, parts);
     const std::array<double, 3> origin = parts.origin;
     Scene scene = [&] {
         try {

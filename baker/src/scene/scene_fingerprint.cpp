@@ -115,6 +115,7 @@ Digest::Value scene_fingerprint(const SceneData& scene)
         digest.add(states.of_material);
         digest.add(states.of_fixture);
         digest.add(states.of_sky);
+        digest.add(states.are_tints);
     }
     return digest.value();
 }

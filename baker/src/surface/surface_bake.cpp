@@ -117,6 +117,8 @@ struct Lit {
     Keeper* keeper;  // may be null
     std::string name = {};
     float scale = 1;
+    Rgb usual = grey(1);
+    bool is_tint = false;
 };
 
 // Traces one of them.
@@ -133,7 +135,7 @@ public:
         read_earlier();
     }
 
-    TracedLight traced() { return {state_, stages_, lit_.name, lit_.scale}; }
+    TracedLight traced() { return {state_, stages_, lit_.name, lit_.scale, lit_.usual, lit_.is_tint}; }
     const FitState& state() const { return state_; }
     uint64_t earlier() const { return fit_.work_in(state_); }
     uint64_t rays_left() const { return fit_.rays_left(state_); }
@@ -284,7 +286,8 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
     require_possible(scene, plan.settings);
     const std::vector<LitState> states = lit_states(scene.data());
     std::vector<Lit> lights;
-    for (const LitState& state : states) lights.push_back({state.scene, nullptr, state.name, state.scale});
+    for (const LitState& state : states)
+        lights.push_back({state.scene, nullptr, state.name, state.scale, state.usual, state.is_tint});
     if (states.empty()) lights.push_back({scene, nullptr});
     SurfaceFit fit(lights, plan.settings, {}, basis_for(scene, plan, {}, nullptr, progress), {}, progress);
     fit.trace();
@@ -306,6 +309,8 @@ SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std:
         if (states.empty()) continue;
         lights.back().name = states[k].name;
         lights.back().scale = states[k].scale;
+        lights.back().usual = states[k].usual;
+        lights.back().is_tint = states[k].is_tint;
     }
     if (earlier == Earlier::discard) discard_stages(output);
     FitBasis basis = basis_for(scene, plan, output, keepers[0].get(), progress);

@@ -30,7 +30,7 @@ bool is_record(const uint8_t* record)
 {
     const uint32_t bytes = name_bytes(record);
     return bytes != 0 && is_zero(record + bytes, state::kNameBytes - bytes) &&
-           record[state::kScaleAt] >= state::kOneQ4 && is_zero(record + state::kScaleAt + 1, 3);
+           record[state::kScaleAt] >= state::kOneQ4;
 }
 
 // Readers that do not know the section take any number of them.
@@ -53,7 +53,7 @@ FieldError detail::read_states(const uint8_t* bytes, SurfaceField& field)
     if (section.size < kStatesHeaderBytes) return FieldError::bad_states;
     const uint32_t count = at[0];
     const bool has_see_through = has_section(bytes, kSeeThroughSection);
-    if (count < kMinStates || count > kMaxStates || !is_zero(at + 1, 3) ||
+    if (count < kMinStates || count > kMaxStates || at[1] >> count != 0 || !is_zero(at + 2, 2) ||
         section.size != states_bytes(count, has_see_through, field.viewed_count, field.code_bits))
         return FieldError::bad_states;
     for (uint32_t k = 0; k < count; ++k)
@@ -62,6 +62,11 @@ FieldError detail::read_states(const uint8_t* bytes, SurfaceField& field)
     field.state_count = static_cast<uint8_t>(count);
     field.has_states_of_see_through = has_see_through;
     return FieldError::none;
+}
+
+bool is_tint(const SurfaceField& field, uint32_t state)
+{
+    return (field.states[1] >> state & 1) != 0;
 }
 
 StateName state_name(const SurfaceField& field, uint32_t state)

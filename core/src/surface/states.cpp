@@ -94,6 +94,11 @@ void mix_all(SurfaceField& field, const SurfaceMemory& memory)
     if (may_move(field, memory)) moving_parts(field, memory).has_body = false;
 }
 
+bool are_same(const StateWeight& a, const StateWeight& b)
+{
+    return a.r_q12 == b.r_q12 && a.g_q12 == b.g_q12 && a.b_q12 == b.b_q12;
+}
+
 bool has_memory(const SurfaceField& field, const SurfaceMemory& memory)
 {
     return field.state_count != 0 && memory.features != nullptr;
@@ -219,8 +224,7 @@ namespace
 // From here on the field reads palettes that are to be mixed.
 void begin_mixing(SurfaceField& field, const SurfaceMemory& memory)
 {
-    constexpr uint16_t kFull = kFullWeight;
-    for (uint32_t k = 0; k < field.state_count; ++k) weight_of(field, memory, k) = {kFull, kFull, kFull};
+    for (uint32_t k = 0; k < field.state_count; ++k) weight_of(field, memory, k) = default_weight(field, k);
     uint8_t* const palette = palette_of(field, memory);
     if (field.see_through_count != 0) {
         uint8_t* const see_through = palette + state::kPaletteBytes;
@@ -232,6 +236,15 @@ void begin_mixing(SurfaceField& field, const SurfaceMemory& memory)
 }
 
 }  // namespace
+
+StateWeight default_weight(const SurfaceField& field, uint32_t state)
+{
+    const uint8_t* const less = field.states + kStatesHeaderBytes + state * kStateBytes + state::kDefaultAt;
+    const auto weight = [&](uint32_t c) {
+        return static_cast<uint16_t>((kLevels.light_q15[4 * (255u - less[c])] + 4) >> 3);
+    };
+    return {weight(0), weight(1), weight(2)};
+}
 
 void reset_states(SurfaceField& field, const SurfaceMemory& memory)
 {
@@ -246,11 +259,11 @@ bool set_state(SurfaceField& field, const SurfaceMemory& memory, uint32_t state,
     const auto within = [](uint16_t w) { return w < kFullWeight ? w : static_cast<uint16_t>(kFullWeight); };
     const StateWeight next = {within(weight.r_q12), within(weight.g_q12), within(weight.b_q12)};
     if (!are_mixed(field, memory)) {
-        if ((next.r_q12 & next.g_q12 & next.b_q12) == kFullWeight) return true;
+        if (are_same(next, default_weight(field, state))) return true;
         begin_mixing(field, memory);
     }
     StateWeight& now = weight_of(field, memory, state);
-    if (now.r_q12 == next.r_q12 && now.g_q12 == next.g_q12 && now.b_q12 == next.b_q12) return true;
+    if (are_same(now, next)) return true;
     now = next;
     mix_all(field, memory);
     return true;

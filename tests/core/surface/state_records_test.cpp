@@ -64,7 +64,9 @@ TEST_CASE("sections of light states that are wrong are refused by name, and no b
         return opened_with([&](Bytes& b) { b[at] = static_cast<uint8_t>(value); });
     };
     for (const uint32_t count : {0u, 1u, 3u, 4u, 5u, 255u}) CHECK(with_byte(0, count) == FieldError::bad_states);
-    for (size_t at = 1; at < 4; ++at) CHECK(with_byte(at, 1) == FieldError::bad_states);
+    for (size_t at = 2; at < 4; ++at) CHECK(with_byte(at, 1) == FieldError::bad_states);
+    for (const uint32_t tints : {4u, 128u, 255u}) CHECK(with_byte(1, tints) == FieldError::bad_states);  // of no state
+    CHECK(with_byte(1, 2) == FieldError::none);
     using namespace format;
     constexpr size_t kRecord = kStatesHeaderBytes;
     CHECK(with_byte(kRecord, 0) == FieldError::bad_states);      // no name
@@ -72,8 +74,8 @@ TEST_CASE("sections of light states that are wrong are refused by name, and no b
     CHECK(with_byte(kRecord + state::kNameBytes - 1, 'x') == FieldError::bad_states);
     CHECK(with_byte(kRecord + state::kScaleAt, 15) == FieldError::bad_states);
     CHECK(with_byte(kRecord + state::kScaleAt, 255) == FieldError::none);
-    for (size_t at = state::kScaleAt + 1; at < kStateBytes; ++at)
-        CHECK(with_byte(kRecord + kStateBytes + at, 1) == FieldError::bad_states);
+    for (size_t at = state::kDefaultAt; at < kStateBytes; ++at)
+        CHECK(with_byte(kRecord + kStateBytes + at, 255) == FieldError::none);
     CHECK(opened(lit_ball_file({{"base"}, {std::string(state::kNameBytes, 'x')}})) == FieldError::none);
     CHECK(opened(lit_ball_file({5, {"x"}})) == FieldError::bad_states);
     check_other_sizes_are_refused(lit_ball_file(), opened);

@@ -69,6 +69,29 @@ TEST_CASE("states: a field shows the light that the reference of the scene has, 
         check_told({"render", field, "-o", folder / "n.png", "--state", word}, "takes NAME=WEIGHT");
 }
 
+TEST_CASE("states: a tint shows the model's colour until another is chosen, and then that, with its bounced light")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_room(folder), field = folder / "room.lumi";
+    const test::Arguments same = {"--up", "z", "--sky", "0.5", "--exposure", "0"};
+    done(lumi(joined({"bake", scene, "-o", field, "--fit", "60kB", "--paths", "30", "--tint", "grey"}, same)));
+    const test::Arguments traced = joined({"reference", scene, "--spp", "64"}, same);
+    const Picture own = lit_picture({"render", field}, folder / "a.png");
+    CHECK(psnr_db(own, lit_picture(traced, folder / "r.png")) > 28);
+    for (const std::string colour : {"0.6,0.5,0.4", "0.7,0.1,0.05", "0", "0.2,0.3,0.8"}) {
+        const test::Arguments painted = {"--tint", "grey=" + colour};
+        const Picture shown = lit_picture(joined({"render", field}, painted), folder / "f.png");
+        INFO(colour);
+        CHECK(psnr_db(shown, lit_picture(joined(traced, painted), folder / "r.png")) > 28);
+        CHECK((psnr_db(shown, own) > 40) == (colour == "0.6,0.5,0.4"));
+    }
+    check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "gray"}, "did you mean grey?");
+    check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "grey", "--state", "panel"}, "light states or tints");
+    check_told({"reference", scene, "-o", folder / "n.png", "--tint", "grey=2"}, "takes NAME=WEIGHT");
+    REQUIRE(lumi({"inspect", field}).code == 0);
+    CHECK_THAT(lumi({"inspect", field}).out, Catch::Contains("tint          grey"));
+}
+
 TEST_CASE("states: what has none, or cannot, says so")
 {
     const test::TemporaryFolder folder;

@@ -85,8 +85,8 @@ test('frames show lights as lumi render weighs them', async () => {
   const of = more => rendered('97x80', 'one-sample', 'rgb888', data.layout, BACKGROUND, more)[0].pixels;
   const frame = () => drawn(module, 97, 80, 0, 0, parseInt(BACKGROUND, 16));
   assert.ok(frame().equals(of([])));
-  module.set_state(1, 1024);
-  assert.ok(frame().equals(of(['--state', `${data.states[1]}=0.25`])));
+  module.set_state(1, 1024, 2048, 4096);
+  assert.ok(frame().equals(of(['--state', `${data.states[1].name}=0.25,0.5,1`])));
 });
 
 test('the eye follows a finger, runs on, and comes back', async () => {

@@ -310,6 +310,7 @@ void add_bake_options(CLI::App& command, BakeOptions& options)
     add_scene_options(command, options.scene);
     add_part_option(command, options.scene.parts, PartWords::motion);
     add_state_option(command, options.scene.states, StateWords::names);
+    add_tint_option(command, options.scene.tints);
     add_field_options(command, options);
     add_surface_options(command, options.surface);
     add_chord_options(command, options);

@@ -173,6 +173,7 @@ void add_reference(CLI::App& lumi)
     add_scene_options(*command, options->scene);
     add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
     add_state_option(*command, options->scene.states, StateWords::weights);
+    add_colour_option(*command, options->scene.base_colours);
     add_thread_option(*command, options->scene);
     add_picture_output(*command, options->output, "OUT.png|OUT.webp|OUT.exr", wrong_reference_name);
     add_camera_options(*command, options->views, "black");

@@ -158,6 +158,7 @@ void add_render(CLI::App& lumi)
     add_drawing_options(*command, *options);
     add_pose_option(*command, options->parts);
     add_state_option(*command, options->states, StateWords::weights);
+    add_colour_option(*command, options->states);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());

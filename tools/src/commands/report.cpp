@@ -99,6 +99,8 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
         if (!options.fields.empty()) {
             by.way.surface.parts = values_of(posed(options.scene.parts), *field);
             by.way.surface.states = values_of(options.scene.states, *field);
+            for (const StateValue& colour : values_of(options.scene.base_colours, *field))
+                by.way.surface.states.push_back(colour);
         }
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
@@ -187,6 +189,7 @@ void add_report(CLI::App& lumi)
     add_scene_options(*command, options->scene);
     add_part_option(*command, options->scene.parts, PartWords::motion_and_pose);
     add_state_option(*command, options->scene.states, StateWords::weights);
+    add_colour_option(*command, options->scene.base_colours);
     add_thread_option(*command, options->scene);
     command->add_option("FIELD", options->fields,
                         "Field files of the scene; with --for and none, fields of 60 kB to 4 MB are baked and kept in "

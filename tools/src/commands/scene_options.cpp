@@ -156,6 +156,8 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     load.animation = options.animation;
     load.parts = options.parts;
     load.states = options.states;
+    load.tints = options.tints;
+    load.base_colours = options.base_colours;
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;

@@ -23,6 +23,8 @@ struct SceneOptions {
     double pieces = baker::IsoSurface{}.pieces;
     std::vector<baker::PartOptions> parts;
     std::vector<baker::StateOption> states;
+    std::vector<std::string> tints;  // as baker::LoadOptions has them
+    std::vector<baker::StateOption> base_colours;
     bool solid_volume = false;  // for surface fields, see baker::LoadOptions
     unsigned threads = 0;
 };

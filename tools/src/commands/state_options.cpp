@@ -16,15 +16,14 @@ namespace
 {
 
 // Names may hold '=': the last one counts.
-baker::StateOption weighted(const std::string& word)
+baker::StateOption weighted(const std::string& option, const std::string& word)
 {
     const size_t at = std::min(word.rfind('='), word.size());
     const auto weight = at == word.size() ? std::nullopt : colour_of(word.substr(at + 1));
     const bool is_sound = weight && std::all_of(weight->begin(), weight->end(), [](float w) { return w <= 1; });
     if (at == 0 || !is_sound)
         throw CLI::ValidationError(
-            "--state",
-            "takes NAME=WEIGHT with a weight from 0 to 1, or three as in lamp=1,0.8,0.5, not \"" + word + "\"");
+            option, "takes NAME=WEIGHT with a weight from 0 to 1, or three as in lamp=1,0.8,0.5, not \"" + word + "\"");
     return {word.substr(0, at), *weight};
 }
 
@@ -43,13 +42,39 @@ void add_state_option(CLI::App& command, std::vector<baker::StateOption>& states
             "--state",
             [&states, has_weight](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts)
-                    states.push_back(has_weight ? weighted(text) : baker::StateOption{text});
+                    states.push_back(has_weight ? weighted("--state", text) : baker::StateOption{text});
             },
             has_weight ? "Dim lights, or give them a colour: the weight of a light state, 0 to 1 of its linear light, "
                          "or three for red, green and blue [1]"
                        : "A light state, whose weight is chosen when the field is drawn: a lamp's node, a material "
                          "that shines, or sky; all else is the state base")
         ->type_name(has_weight ? "NAME=WEIGHT" : "NAME")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_tint_option(CLI::App& command, std::vector<std::string>& tints)
+{
+    command
+        .add_option(
+            "--tint", tints,
+            "A material whose base colour is chosen when the field is drawn, in place of light states; until then "
+            "it is that of the model")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
+}
+
+void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colours)
+{
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--tint",
+            [&colours](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) colours.push_back(weighted("--tint", text));
+            },
+            "The base colour of a material: linear light, 0 to 1, a number or three as in shell=0.6,0.1,0.1")
+        ->type_name("NAME=COLOUR")
         ->expected(1)
         ->take_all();
 }

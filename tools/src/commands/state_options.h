@@ -17,6 +17,11 @@ enum class StateWords : uint8_t { names, weights };
 // Adds --state NAME, or --state NAME=WEIGHT where weights are chosen: a number from 0 to 1, or three with commas.
 void add_state_option(CLI::App& command, std::vector<baker::StateOption>& states, StateWords words);
 
+// Adds --tint NAME, a material whose base colour is chosen when the field is drawn.
+void add_tint_option(CLI::App& command, std::vector<std::string>& tints);
+// Adds --tint NAME=COLOUR, which chooses it.
+void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colours);
+
 // The weights of a field's own states. Throws Failure where it has no state of a name.
 std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field);
 

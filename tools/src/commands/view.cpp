@@ -18,6 +18,7 @@
 #include "files/field_report.h"
 #include "files/output_file.h"
 #include "lumi/chord/render_spans.h"
+#include "lumi/surface/states.h"
 #include "program/option_checks.h"
 #include "quality/page.h"
 #include "terminal/failure.h"
@@ -106,10 +107,15 @@ Json moving_parts(const FieldFile& file)
 
 Json light_states(const FieldFile& file)
 {
-    Json names = Json::array();
-    for (uint32_t k = 0; file.is_surface() && k < file.surface().state_count; ++k)
-        names.push_back(name_of_state(file.surface(), k));
-    return names;
+    Json states = Json::array();
+    for (uint32_t k = 0; file.is_surface() && k < file.surface().state_count; ++k) {
+        const StateWeight w = default_weight(file.surface(), k);
+        const auto share = [](uint16_t q12) { return static_cast<double>(q12) / kFullWeight; };
+        states.push_back({{"name", name_of_state(file.surface(), k)},
+                          {"tint", is_tint(file.surface(), k)},
+                          {"weight", {share(w.r_q12), share(w.g_q12), share(w.b_q12)}}});
+    }
+    return states;
 }
 
 int first_mode_of(const Json& modes)

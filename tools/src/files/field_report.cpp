@@ -121,7 +121,10 @@ void append_surface(std::string& text, const SurfaceField& field)
         append_line(text, "  see-through   %" PRIu32 " patches besides", field.see_through_count);
     for (uint32_t k = 0; k < mover_count(field); ++k) append_part(text, name_of_part(field, k), part_motion(field, k));
     for (uint32_t k = 0; k < field.state_count; ++k)
-        append_line(text, "  lights        %s: their weight is chosen", visible(name_of_state(field, k)).c_str());
+        append_line(text,
+                    is_tint(field, k) ? "  tint          %s: its colour is chosen"
+                                      : "  lights        %s: their weight is chosen",
+                    visible(name_of_state(field, k)).c_str());
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 

@@ -125,6 +125,9 @@ struct LoadOptions {
     std::vector<PartOptions> parts = {};
     // They become light states, besides those of a scene file, and the scene is lit with these weights.
     std::vector<StateOption> states = {};
+    // In place of light states: materials whose base colour is chosen when a field is drawn. Weights are colours.
+    std::vector<std::string> tints = {};
+    std::vector<StateOption> base_colours = {};    // of these materials
     std::optional<IsoSurface> iso = std::nullopt;  // only for a volume
     // Also makes the mesh that surface fields of a volume without objects start from.
     bool solid_volume = false;

@@ -125,21 +125,23 @@ inline constexpr uint32_t kNameBytes = 40;
 }  // namespace part
 
 // Light states: groups of lights whose weights a device chooses. Readers that do not know the section draw what the
-// field's palettes and view tables say, which is all weights 1. It holds the number of states and three zeros, a record
-// for each state, and then for each state in turn what the surface shows under it alone:
+// field's palettes and view tables say, which is their default weights. It holds the number of states, which are tints,
+// a record for each state, and then for each state in turn what the surface shows under it alone:
 //   palettes, 256 × (r, g, b); where the file has see-through parts, what these add, 256 × (r, g, b); where it has view
 //   tables, node colours as theirs. Then for each vertex with a table a byte, which entry of the palette is its mean,
 //   and its gains for each state.
 // All are encoded after a division by the state's scale: linear light is scale/16 · decode(entry). Codes and turns are
 // those of the view tables.
 inline constexpr uint32_t kMinStates = 2, kMaxStates = 4;
-inline constexpr uint32_t kStatesHeaderBytes = 4;  // the number, u8, and zeros
+// The number, u8; bits of those that are the base colour of a material, u8; zeros, u16.
+inline constexpr uint32_t kStatesHeaderBytes = 4;
 inline constexpr uint32_t kStateBytes = 32;
 namespace state
 {
 inline constexpr uint32_t kNameAt = 0;  // UTF-8, not empty, zeros behind it
 inline constexpr uint32_t kNameBytes = 28;
-inline constexpr uint32_t kScaleAt = 28;  // u8, Q4, kOneQ4 .. 255, then three zeros
+inline constexpr uint32_t kScaleAt = 28;    // u8, Q4, kOneQ4 .. 255
+inline constexpr uint32_t kDefaultAt = 29;  // of r, g, b: 255 less the level of the default weight, u8; 0: full weight
 inline constexpr uint32_t kOneQ4 = 16;
 inline constexpr uint32_t kEntryBytes = 3;
 inline constexpr uint32_t kPaletteBytes = kPaletteEntries * kEntryBytes;

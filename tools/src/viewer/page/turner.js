@@ -66,9 +66,9 @@ class Turner {
     this.isDirty = true;
   }
 
-  // A share of its full light.
-  setState(number, weight) {
-    this.module.set_state(number, Math.round(4096 * weight));
+  // Shares of its full light: red, green, blue.
+  setState(number, weights) {
+    this.module.set_state(number, ...weights.map(weight => Math.round(4096 * weight)));
     this.isDirty = true;
   }
 

@@ -105,12 +105,25 @@ function showTime() {
   data.parts.forEach((part, k) => { if (handOf(part)) movePart(k, handOf(part)[1](time) % 360); });
 }
 
+// Between linear light and #rrggbb (IEC 61966-2-1).
+function hexOf(light) {
+  const level = v => Math.round(255 * (v > 0.0031308 ? 1.055 * v ** (1 / 2.4) - 0.055 : 12.92 * v));
+  return '#' + light.map(v => level(v).toString(16).padStart(2, '0')).join('');
+}
+function linearOf(hex) {
+  const levels = [1, 3, 5].map(at => parseInt(hex.slice(at, at + 2), 16) / 255);
+  return levels.map(v => v > 0.04045 ? ((v + 0.055) / 1.055) ** 2.4 : v / 12.92);
+}
+
 function buildStates() {
   $('states').hidden = !data.states.length;
-  data.states.forEach((name, k) => {
-    const slider = element('input', {type: 'range', min: 0, max: 1, step: 1 / 256, value: 1});
-    slider.addEventListener('input', () => turner.setState(k, Number(slider.value)));
-    $('states').append(element('label', {}, element('span', {textContent: name}), slider));
+  data.states.forEach((state, k) => {
+    const input = state.tint
+      ? element('input', {type: 'color', value: hexOf(state.weight)})
+      : element('input', {type: 'range', min: 0, max: 1, step: 1 / 256, value: 1});
+    const weights = () => state.tint ? linearOf(input.value) : Array(3).fill(Number(input.value));
+    input.addEventListener('input', () => turner.setState(k, weights()));
+    $('states').append(element('label', {}, element('span', {textContent: state.name}), input));
   });
 }
 
