@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lumi filter and `lumi render --filter`: a network that makes the pictures of one field more like their path-traced
 // references. The plug-in's door: nothing includes it.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -261,6 +262,14 @@ void add_judge(CLI::App& filter)
     });
 }
 
+// The picture with the change from `before` to `after`. These lie over a colour by a rounding of their own.
+Picture changed_like(Picture picture, const Picture& before, const Picture& after)
+{
+    for (size_t i = 0; i < picture.rgb.size(); ++i)
+        picture.rgb[i] = static_cast<uint8_t>(std::clamp(picture.rgb[i] + after.rgb[i] - before.rgb[i], 0, 255));
+    return picture;
+}
+
 // `lumi render --filter`.
 class FilterStage : public PictureStage
 {
@@ -283,12 +292,13 @@ public:
         if (!weights.gains) return drawer;
         const std::shared_ptr<filter::Network> network =
             filter::load_module().network(weights.input_planes, weights.numbers);
-        const Eye* filtered = nullptr;  // `planes` show it: over another colour it need not be drawn again
-        filter::Planes planes;
-        return [&file, network, filtered, planes](const Eye& eye, const Rgb8& background) mutable {
-            if (filtered != &eye) planes = network->filtered(filter::drawn_planes(file, eye));
+        const Eye* filtered = nullptr;  // the planes show it: over another colour it need not be filtered again
+        filter::Planes before, after;
+        return [&file, drawer, network, filtered, before, after](const Eye& eye, const Rgb8& background) mutable {
+            if (filtered != &eye) after = network->filtered(before = filter::drawn_planes(file, eye));
             filtered = &eye;
-            return filter::over(planes, background);
+            return changed_like(drawer(eye, background), filter::over(before, background),
+                                filter::over(after, background));
         };
     }
 
