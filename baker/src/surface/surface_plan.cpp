@@ -110,13 +110,16 @@ float edge_for(double bytes)
 }
 
 // RAM of a view as `lumi embed` writes it unless a program says otherwise, and of its stripe.
-uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, const host::ScreenSize& screen)
+uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t states, const host::ScreenSize& screen)
 {
     GroundRoom ground = {};
     if (settings.ground) ground = most_ground_room(mesh.longest_edge, settings.texels_per_radius);
-    const host::SurfaceCounts counts = {
-        static_cast<uint32_t>(mesh.positions.size()) + ground.vertices, mesh.opaque_patches(), SurfaceMode::antialiased,
-        mesh.see_through_patches + ground.patches, static_cast<uint32_t>(mesh.parts.size())};
+    const host::SurfaceCounts counts = {static_cast<uint32_t>(mesh.positions.size()) + ground.vertices,
+                                        mesh.opaque_patches(),
+                                        SurfaceMode::antialiased,
+                                        mesh.see_through_patches + ground.patches,
+                                        static_cast<uint32_t>(mesh.parts.size()),
+                                        states > 1 ? states : 0};
     return uint64_t{host::surface_view_bytes<PixelRgb565>(counts, screen)} +
            host::stripe_pixel_bytes<PixelRgb565>(screen);
 }
@@ -290,10 +293,10 @@ private:
         constexpr double kLeastStep = 0.95;  // so that there are few meshes
         if (!limits_.ram) return false;
         const host::ScreenSize& screen = limits_.ram->screen;
-        plan.ram_bytes = ram_of(plan.mesh->mesh, plan.settings, screen);
+        plan.ram_bytes = ram_of(plan.mesh->mesh, plan.settings, states_, screen);
         if (plan.ram_bytes <= limits_.ram->bytes) return false;
         if (plan.triangles_without_ram == 0) plan.triangles_without_ram = plan.triangles;
-        const uint64_t least = ram_of({}, {}, screen);  // does not depend on the mesh
+        const uint64_t least = ram_of({}, {}, states_, screen);  // does not depend on the mesh
         const double room = static_cast<double>(limits_.ram->bytes) - static_cast<double>(least),
                      needed = static_cast<double>(plan.ram_bytes) - static_cast<double>(least);
         const double share = std::min(kLeastStep, room / needed);
