@@ -29,8 +29,7 @@ uint32_t name_bytes(const uint8_t* record)
 bool is_record(const uint8_t* record)
 {
     const uint32_t bytes = name_bytes(record);
-    return bytes != 0 && is_zero(record + bytes, state::kNameBytes - bytes) &&
-           record[state::kScaleAt] >= state::kOneQ4;
+    return bytes != 0 && is_zero(record + bytes, state::kNameBytes - bytes) && record[state::kScaleAt] >= state::kOneQ4;
 }
 
 // Readers that do not know the section take any number of them.
