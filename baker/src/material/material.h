@@ -155,7 +155,7 @@ inline constexpr MaterialParameter kMaterialParameters[] = {
 
 struct Material : MaterialNumbers {
     std::string name;
-    std::string state;  // the label of the light state that it shines in; may be empty
+    std::string state;        // the label of the light state that it shines in; may be empty
     bool specular = false;    // a dielectric skin where the surface is not metal
     bool rough_body = false;  // the diffuse body is as rough as its skin (DiffuseShape); otherwise Lambert's
     bool glass = false;       // clear inside; the triangles' winding faces outwards

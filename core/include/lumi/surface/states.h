@@ -6,8 +6,8 @@
 //     set_state(field, memory, 1, {2048, 1024, 0});            // memory: of SurfaceFrame, with feature_words()
 //     prepare_surface<PixelRgb565, kFinest, SurfaceFeatures::all>(field, camera, mode, memory, frame);
 //
-// Until a weight is another one a field shows all states at their default weights, as the file has them; from then on it
-// reads palettes from this memory. A weight that changes makes them anew, and the whole frame.
+// Until a weight is another one a field shows all states at their default weights, as the file has them; from then on
+// it reads palettes from this memory. A weight that changes makes them anew, and the whole frame.
 #pragma once
 #pragma GCC system_header
 
@@ -30,8 +30,8 @@ bool is_tint(const SurfaceField& field, uint32_t state);
 // Returns the weight that it has until another is set: mostly kFullWeight; of a tint the colour of the model.
 StateWeight default_weight(const SurfaceField& field, uint32_t state);
 
-// Sets all weights to their defaults, and mixes them; a field that was just opened does not need it. Nothing happens to a
-// field without states, or without memory.
+// Sets all weights to their defaults, and mixes them; a field that was just opened does not need it. Nothing happens to
+// a field without states, or without memory.
 void reset_states(SurfaceField& field, const SurfaceMemory& memory);
 
 // Returns false if there is no such state. A weight that stays as it is costs nothing, another one two palettes.
