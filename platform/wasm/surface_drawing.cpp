@@ -13,6 +13,14 @@ namespace
 constexpr uint32_t kModes = 3;
 constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 
+// <lumi-view> has no call that weighs light states, and is small.
+#ifdef LUMI_VIEW_ELEMENT
+constexpr SurfaceFeatures kFeatures =
+    SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts;
+#else
+constexpr SurfaceFeatures kFeatures = SurfaceFeatures::all;
+#endif
+
 LUMI_CONSTANT SurfaceField field = {};
 LUMI_CONSTANT SurfaceFrame frame = {};
 void* samples = nullptr;
@@ -24,8 +32,9 @@ StateWeight weights[detail::format::kMaxStates] = {};
 ViewError open_drawing(const uint8_t* bytes, size_t size)
 {
     for (uint32_t& value : part_values) value = 0;
-    const ViewError error = detail::view_error(open_surface<SurfaceFeatures::all>(bytes, size, field));
-    for (uint32_t k = 0; k < field.state_count; ++k) weights[k] = default_weight(field, k);
+    const ViewError error = detail::view_error(open_surface<kFeatures>(bytes, size, field));
+    if constexpr (has(kFeatures, SurfaceFeatures::states))
+        for (uint32_t k = 0; k < field.state_count; ++k) weights[k] = default_weight(field, k);
     return error;
 }
 
@@ -98,10 +107,11 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
         if (!turn_part(field, borrowed, k, part_values[k]))
             slide_part(field, borrowed, k, static_cast<int32_t>(part_values[k]));
     SurfaceField lit = field;
-    for (uint32_t k = 0; k < field.state_count; ++k) set_state(lit, borrowed, k, weights[k]);
+    if constexpr (has(kFeatures, SurfaceFeatures::states))
+        for (uint32_t k = 0; k < field.state_count; ++k) set_state(lit, borrowed, k, weights[k]);
     samples = memory + layout.samples;
     with_pixel(style.format, [&](auto pixel) {
-        prepare_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        prepare_surface<decltype(pixel), SurfaceMode::two_by_two, kFeatures>(
             lit, camera, static_cast<SurfaceMode>(style.mode), borrowed, frame);
     });
     return ViewError::none;
@@ -110,8 +120,7 @@ ViewError look(const Pose& pose, const Image& image, const Style& style, uint8_t
 ViewError draw(const Style& style, const Stripe& stripe)
 {
     with_pixel(style.format, [&](auto pixel) {
-        render_surface<decltype(pixel), SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, style.behind(), stripe,
-                                                                                       samples);
+        render_surface<decltype(pixel), SurfaceMode::two_by_two, kFeatures>(frame, style.behind(), stripe, samples);
     });
     return ViewError::none;
 }
