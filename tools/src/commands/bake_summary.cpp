@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "../planner/chord_plan.h"
 #include "../quality/measured.h"
@@ -28,6 +29,24 @@ void print_json(const nlohmann::json& line)
 bool is_checked(const BakeSummary& summary)
 {
     return summary.options.layout != Layout::chord && !summary.is_shard;
+}
+
+// What measures a field that is written must not fail its bake. Takes what the machine refuses: threads and memory.
+template <class Measure>
+auto unless_refused(const BakeSummary& summary, const Measure& measure) -> decltype(measure())
+{
+    std::string reason;
+    try {
+        return measure();
+    } catch (const baker::BakeError& refusal) {
+        reason = refusal.what();
+    } catch (const std::system_error& refusal) {
+        reason = std::string(refusal.what()) + "; `lumi report` measures it";
+    } catch (const std::bad_alloc&) {
+        reason = "there is too little memory; `lumi report` measures it";
+    }
+    print(stderr, "lumi: warning: %s: it is written, but not measured: %s\n", summary.name.c_str(), reason.c_str());
+    return {};
 }
 
 // The PSNR of the field; nothing where it is not to be judged.
@@ -139,11 +158,11 @@ void tell_people(const BakeSummary& summary)
 {
     std::string text = file_line(summary);
     if (summary.surface) text += surface_line(*summary.surface) + notes_of(*summary.surface) + suffices_line(summary);
-    if (const auto psnr_db = checked_db(summary))
+    if (const auto psnr_db = unless_refused(summary, [&] { return checked_db(summary); }))
         text.insert(file_and_size(summary).size(), likeness_text(*psnr_db) + ", ");
     if (summary.options.surface.draft) text += "a draft: bake it without --draft to ship it\n";
     if (summary.options.verbose) text += stages_line(summary);
-    text += device_lines(summary);
+    text += unless_refused(summary, [&] { return device_lines(summary); });
     if (is_checked(summary)) text += next_line(summary.name);
     print(stdout, "%s", text.c_str());
 }
@@ -159,7 +178,8 @@ void tell_machines(const BakeSummary& summary)
                            {"elapsed_seconds", summary.seconds},
                            {"warnings", summary.warnings}};
     if (summary.surface) line["surface"] = surface_json(*summary.surface);
-    if (const auto psnr_db = checked_db(summary)) line["quick_psnr_db"] = *psnr_db;
+    if (const auto psnr_db = unless_refused(summary, [&] { return checked_db(summary); }))
+        line["quick_psnr_db"] = *psnr_db;
     for (const auto& [name, seconds] : summary.progress.stages()) line["stage_seconds"][name] = seconds;
     print_json(line);
 }
