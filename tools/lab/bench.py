@@ -27,8 +27,8 @@ SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel 
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
 SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
-# "tall": instructions in stripes of 24 rows; "halves": until two cores have prepared the frame.
-SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "halves", "crc"]
+# "tall": instructions in stripes of 24 rows; "weigh": of another weight of a light state; "halves": until two cores have prepared the frame.
+SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -149,7 +149,7 @@ def facts_of(row, frames):
 
 
 def put_facts(row, facts):
-    of_field = ("crc", "triangles", "vertices", "see_through_patches")
+    of_field = ("crc", "triangles", "vertices", "see_through_patches", "states")
     row.update({key: value for key, value in facts.items() if key not in of_field})
     return row
 
@@ -204,10 +204,13 @@ def surface_rows(options, boards):
     facts = {"file": field.name, "file_bytes": len(content), "triangles": frames[0]["triangles"],
              "sha256": hashlib.sha256(content).hexdigest()}
     see_through_patches = frames[0]["see_through_patches"]
-    kind = "see_through" if see_through_patches else "surface"
+    states = frames[0]["states"]
+    kind = "states" if states else "see_through" if see_through_patches else "surface"
     parts = PARTS + SEE_THROUGH_PARTS * bool(see_through_patches)
     if see_through_patches:
         facts["see_through_patches"] = see_through_patches
+    if states:
+        facts["states"] = states
     rows = []
     for board in boards:
         board.build([f"{kind}_{pixel}" for pixel in options.pixel])
@@ -219,6 +222,8 @@ def surface_rows(options, boards):
                 row.update({part: hundredths(count[part] / count["covered"]) for part in [*parts, "tall", "halves"]})
                 row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
                             "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
+                if states:
+                    row["instructions_to_weigh"] = count["weigh"]
                 rows.append({**with_facts(row, count, frames), **facts})
     return rows, {**facts, "vertices": frames[0]["vertices"]}
 
@@ -227,8 +232,8 @@ def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
-    is_see_through = "see_through_patches" in (facts or {})
-    rows = surface if is_see_through else lab("parts", "--rate", stdin=json.dumps(chord + surface))
+    is_judged = not {"see_through_patches", "states"} & set(facts or {})
+    rows = surface if not is_judged else lab("parts", "--rate", stdin=json.dumps(chord + surface))
     if options.docs:
         save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts,
                           "field": {"scene": options.scene.name, "origins": options.origins,
@@ -275,8 +280,8 @@ def parse(arguments):
                         help="write rows and parts into docs/log/data/tradeoff.json")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
-    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts there are "
-                        "neither rates nor accuracy")
+    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts or light "
+                        "states, of which one shines half, there are neither rates nor accuracy")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

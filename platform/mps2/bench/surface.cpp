@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The surface renderer for the pixels, parts and modes that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH,
-// LUMI_BENCH_FINEST, and LUMI_BENCH_VIEW_TABLES.
+// LUMI_BENCH_FINEST, LUMI_BENCH_VIEW_TABLES and LUMI_BENCH_STATES.
 #include <algorithm>
 
 #include "lumi/mps2/meters.h"
@@ -30,7 +30,9 @@ void fill(const SurfaceFrame& filled, const detail::Target& target)
 }
 
 SurfaceFrame frame;
-detail::SampleMemory<4 * see_through_words(LUMI_BENCH_SEE_THROUGH)> see_through;
+constexpr uint32_t kMostStates = LUMI_BENCH_STATES ? detail::format::kMaxStates : 0;
+detail::SampleMemory<4 * (see_through_words(LUMI_BENCH_SEE_THROUGH) + state_words(kMostStates, LUMI_BENCH_SEE_THROUGH))>
+    features;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];
 constexpr uint32_t kBands = surface_bands(kSidePx, surface_band_log2(kTallStripeHeight));
@@ -41,15 +43,26 @@ uint32_t samples[surface_stripe_bytes(kSidePx, kTallStripeHeight, kFinest) / siz
 
 const uint32_t kSurfaceFrameBytes = kSidePx * kStrideBytes;
 
+void weigh([[maybe_unused]] SurfaceField& field)
+{
+    if constexpr (has(kFeatures, SurfaceFeatures::states)) {
+        constexpr uint16_t kHalf = kFullWeight / 2, kQuarter = kFullWeight / 4;
+        static bool is_second = false;
+        const uint16_t weight = is_second ? kHalf : kQuarter;
+        is_second = true;
+        set_state(field, {vertices, links, bands, kSurfaceBandLog2, features.data()}, 1, {weight, weight, weight});
+    }
+}
+
 void prepare_alone(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), see_through.data()};
+    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), features.data()};
     prepare_surface<Pixel, kFinest, kFeatures>(field, view.camera, view.mode, memory, frame);
 }
 
 uint64_t prepare_by_halves(const SurfaceField& field, const SurfaceView& view, int32_t stripe_height)
 {
-    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), see_through.data()};
+    const SurfaceMemory memory = {vertices, links, bands, surface_band_log2(stripe_height), features.data()};
     SurfaceHalves halves = {};
     halves.bands = second_bands;
     uint64_t waited = 0;
@@ -57,9 +70,9 @@ uint64_t prepare_by_halves(const SurfaceField& field, const SurfaceView& view, i
     prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, view.camera, view.mode, memory, frame, halves,
                                                                [&](int32_t step) {
                                                                    const uint64_t first = mps2::instructions();
-                                                                   prepare_half(halves, step, 0);
+                                                                   prepare_half<kFinest, kFeatures>(halves, step, 0);
                                                                    const uint64_t second = mps2::instructions();
-                                                                   prepare_half(halves, step, 1);
+                                                                   prepare_half<kFinest, kFeatures>(halves, step, 1);
                                                                    const uint64_t end = mps2::instructions();
                                                                    waited += std::min(second - first, end - second);
                                                                });

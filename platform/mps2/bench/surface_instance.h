@@ -10,7 +10,8 @@ namespace lumi::bench
 {
 
 // Parts of fields that the build names, for as many see-through patches as it names.
-inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_SEE_THROUGH != 0
+inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_STATES ? SurfaceFeatures::view_tables | SurfaceFeatures::states
+                                             : LUMI_BENCH_SEE_THROUGH != 0
                                                  ? SurfaceFeatures::view_tables | SurfaceFeatures::see_through
                                              : LUMI_BENCH_VIEW_TABLES ? SurfaceFeatures::view_tables
                                                                       : SurfaceFeatures::none;
@@ -27,6 +28,9 @@ inline uint32_t see_through_ram_bytes(const SurfaceField& field)
 {
     return static_cast<uint32_t>(sizeof(uint32_t)) * feature_words(field);
 }
+
+// The next frame shows a quarter of the light of state 1, after a second call half of it. Does nothing without states.
+void weigh(SurfaceField& field);
 
 struct SurfaceView {
     const SurfaceCamera& camera;

@@ -2,13 +2,14 @@
 // Counts what drawing a surface field costs, one line per view and mode:
 //     view generic mode one-sample covered 42272 instructions 2345678 palette 8000 vertices 345678 lists 145678
 //     lights 123456 edges 345678 samples 1345678 outlines 0 resolve 245678 order 0 blends 0 tall 2234567 stack 600
-//     ram 46000 halves 345678 crc 1234abcd
+//     ram 46000 weigh 0 halves 345678 crc 1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
 // triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
 // Then see-through triangles: their order, lights and palette; what they add to drawing. "tall" are all instructions
-// again, in stripes of kTallStripeHeight, and "halves" those of preparing on two cores, as the longer half of each step
-// takes. The field is loaded to the start of the board's PSRAM. Arguments: names of views (none: all), then of modes
-// (none: all). With `poses` in place of views, a line for each of them and mode, in stripes of kTallStripeHeight:
+// again, in stripes of kTallStripeHeight, "weigh" those of another weight of a light state, and "halves" those of
+// preparing on two cores, as the longer half of each step takes. The field is loaded to the start of the board's PSRAM.
+// Arguments: names of views (none: all), then of modes (none: all). With `poses` in place of views, a line for each of
+// them and mode, in stripes of kTallStripeHeight:
 //     pose 17 mode antialiased covered 42272 instructions 2345678 crc 1234abcd
 // With `stripes`, a line for each height in kStripeHeights, view and mode:
 //     stripes 4 view generic mode antialiased covered 42272 instructions 2345678 crc 1234abcd
@@ -56,6 +57,7 @@ Parts count_parts(const SurfaceField& field, const SurfaceView& view, uint64_t w
     const SurfaceField opaque = opaque_alone(field);
     SurfaceField unlit = opaque, bare = opaque, empty = opaque;
     unlit.lit_count = 0;
+    unlit.state_count = 0;
     bare.patch_count = 0;
     empty.patch_count = empty.vertex_count = 0;
     const auto preparing = [&](const SurfaceField& f) {
@@ -91,7 +93,7 @@ void write_costs(TextLine& line, const Parts& parts, uint64_t whole, uint64_t ta
 }
 
 void report(const char* view_name, const char* mode_name, const SurfaceField& field, const SurfaceView& view,
-            uint32_t covered)
+            uint32_t covered, uint64_t weigh)
 {
     const uint64_t tall = count_frame(field, view, kTallStripeHeight);
     mps2::StackMeter meter;
@@ -106,7 +108,7 @@ void report(const char* view_name, const char* mode_name, const SurfaceField& fi
     write_costs(line, parts, whole, tall);
     line.text(" stack ").decimal(stack_bytes).text(" ram ");
     line.decimal(surface_ram_bytes(field.vertex_count, field.patch_count, view.mode) + see_through_ram_bytes(field));
-    line.text(" halves ").decimal(halves);
+    line.text(" weigh ").decimal(weigh).text(" halves ").decimal(halves);
     mps2::write(line.text(" crc ").hex32(crc).text("\n").c_str());
 }
 
@@ -117,14 +119,15 @@ bool is_mode(const char* word)
     return false;
 }
 
-bool report_view(const View& view, const SurfaceField& field, const Words& modes)
+bool report_view(const View& view, const SurfaceField& field, const Words& modes, uint64_t weigh)
 {
     SurfaceCamera camera;
     Camera rays;
     if (make_surface_camera(view_pose(view), view_image(view), camera) != CameraError::none) return false;
     if (make_view_camera(view, rays) != CameraError::none) return false;
     for (const NamedSurfaceMode& mode : kSurfaceModes)
-        if (modes.contain(mode.name)) report(view.name, mode.name, field, {camera, mode.mode}, covered_pixels(rays));
+        if (modes.contain(mode.name))
+            report(view.name, mode.name, field, {camera, mode.mode}, covered_pixels(rays), weigh);
     return true;
 }
 
@@ -185,12 +188,12 @@ bool report_all_stripes(const SurfaceField& field, const Words& modes)
     return true;
 }
 
-bool report_views(const SurfaceField& field, const Words& words)
+bool report_views(const SurfaceField& field, const Words& words, uint64_t weigh)
 {
     Words views = {words.begin, words.begin};
     while (views.end != words.end && !is_mode(*views.end)) ++views.end;
     for (const View& view : kViews)
-        if (views.contain(view.name) && !report_view(view, field, {views.end, words.end})) return false;
+        if (views.contain(view.name) && !report_view(view, field, {views.end, words.end}, weigh)) return false;
     return true;
 }
 
@@ -203,6 +206,8 @@ int main(int argc, char** argv)
     SurfaceField field;
     if (!bench::open_loaded(open_surface<bench::kFeatures>, field)) return 1;
     mps2::start_instruction_counter();
+    bench::weigh(field);
+    const uint64_t weigh = bench::instructions_of([&] { bench::weigh(field); });
     const bench::Words words = bench::words_of(argc, argv);
     const auto begins_with = [&](const char* word) {
         return words.begin != words.end && std::strcmp(*words.begin, word) == 0;
@@ -210,6 +215,6 @@ int main(int argc, char** argv)
     const bench::Words modes = {words.begin + 1, words.end};
     const bool is_done = begins_with("poses")     ? bench::report_poses(field, modes)
                          : begins_with("stripes") ? bench::report_all_stripes(field, modes)
-                                                  : bench::report_views(field, words);
+                                                  : bench::report_views(field, words, weigh);
     return is_done ? 0 : 1;
 }

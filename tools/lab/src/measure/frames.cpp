@@ -48,7 +48,10 @@ tools::Picture drawn_as(const tools::FieldFile& file, SurfaceMode mode, const st
     using tools::DisplayFormat;
     const DisplayFormat display = pixel == "rgb565" ? DisplayFormat::rgb565 : DisplayFormat::rgb888;
     const tools::Eye eye = {view_pose(view), view_image(view), {}};
-    return tools::draw_surface(file.surface(), eye, {mode, display, kBackgroundColour});
+    tools::SurfaceDrawSettings settings = {mode, display, kBackgroundColour};
+    constexpr uint16_t kHalf = kFullWeight / 2;  // as the firmware of the bench weighs it
+    if (file.surface().state_count != 0) settings.states = {{1, {kHalf, kHalf, kHalf}}};
+    return tools::draw_surface(file.surface(), eye, settings);
 }
 
 uint32_t crc_of(const tools::Picture& drawn, const std::string& pixel)
@@ -171,8 +174,9 @@ void add_surface_rows(const tools::FieldFile& file, const Options& options, cons
                         {"view", view.name},
                         {"triangles", tools::triangles_of(file.surface())},
                         {"vertices", file.surface().vertex_count},
-                        {"see_through_patches", file.surface().see_through_count}};
-            if (file.surface().see_through_count != 0)
+                        {"see_through_patches", file.surface().see_through_count},
+                        {"states", file.surface().state_count}};
+            if (file.surface().see_through_count + file.surface().state_count != 0)
                 row["crc"] = bench::surface_crc(file, mode, pixel, view);
             else
                 put_facts(row, bench::surface_facts(file, mode, pixel, view));
