@@ -9,6 +9,7 @@ the last size, in place of the bake without options, and tells on standard error
 rate beside the best of the sizes that keep it, by the rates of `lumi inspect`.
 Fields and references stay in FOLDER [build/front], and what is there is not made again. The documents' rows:
     tools/lab/front.py SCENE... | tools/lab/pages.py put front rows
+    tools/lab/front.py --for PACES SCENE... | tools/lab/pages.py put front rates
 """
 import argparse
 import json
@@ -17,6 +18,7 @@ import resource
 import sys
 
 import bench
+from figures.front import beside
 
 MODES = {"antialiased": "antialiased", "one sample": "one-sample"}  # variants of a report; fields are drawn by 2x2
 
@@ -43,22 +45,6 @@ def rates(field, chip):
     return {mode: round(of[chip], 2) for mode, of in told.items()}
 
 
-def best(rows, rate):
-    """The most dB that some field and mode show at a rate, and which."""
-    shown = [(row["psnr_db"][mode], row["asked"], mode) for row in rows for mode in row["psnr_db"] if row["fps"][mode] >= rate]
-    return max(shown) if shown else (None, None, None)
-
-
-def beside(found, paces):
-    """For each rate the field that was planned for it beside those of a size."""
-    of_size = [row for row in found if "@" not in row["asked"]]
-    for pace in paces:
-        rate = 0.98 * float(pace.partition("@")[2].removesuffix("fps"))  # plans know the rates of 40 poses, not of all
-        planned, _, mode = best([row for row in found if row["asked"] == pace], rate)
-        size_db, size, size_mode = best(of_size, rate)
-        yield {"scene": found[0]["scene"], "for": pace, "db": planned, "mode": mode, "size_db": size_db, "size": size, "size_mode": size_mode}
-
-
 def rows(scene, options):
     paces = options.paces.split(",") if options.paces else []
     sizes = options.sizes.split(",")
@@ -77,7 +63,7 @@ def rows(scene, options):
                       "seconds": seconds[name], "psnr_db": modes})
         if paces:
             found[-1]["fps"] = rates(field, paces[0].partition("@")[0])
-    for row in beside(found, paces):
+    for row in beside(found):
         bench.announce(json.dumps(row))
     yield from found
 

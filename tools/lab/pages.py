@@ -20,7 +20,7 @@ import json
 import re
 import sys
 
-from figures import bench, boards, paper, plots, trade
+from figures import bench, boards, front, paper, plots, trade
 from figures.table import ROOT, Table, commits, put, save, shown
 
 TABLES = {
@@ -33,6 +33,7 @@ TABLES = {
     "trade clock": lambda: trade.front("clock"),
     "trade volume": lambda: trade.front("volume"),
     "trade modes": trade.modes,
+    "front rates": front.rates,
     **{f"paper {name}": (lambda name=name: getattr(paper, name)()) for name in (
         "bakes", "likeness", "background", "times", "eyes", "m4")},
     "licences": boards.licences,
