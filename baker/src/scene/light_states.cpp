@@ -46,7 +46,8 @@ public:
     void add(const std::string& name)
     {
         const std::vector<std::string>& names = parts_.states.names;
-        if (name == kBase || std::find(names.begin(), names.end(), name) != names.end()) return;
+        if (name == kBase) number_of(name);  // alone it is all light
+        if (std::find(names.begin(), names.end(), name) != names.end()) return;
         const std::vector<std::string> choices = lights();
         if (std::find(choices.begin(), choices.end(), name) == choices.end())
             fail("no lamp and no material that shines is named '" + name + "'" + host::meant(name, choices) +
@@ -273,6 +274,7 @@ std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>
 
 std::vector<LitState> lit_states(const SceneData& scene)
 {
+    constexpr size_t kFewest = detail::format::kMinStates;
     std::vector<LitState> states;
     for (uint32_t k = 0; k < scene.states.names.size(); ++k) {
         const std::string& name = scene.states.names[k];
@@ -283,9 +285,12 @@ std::vector<LitState> lit_states(const SceneData& scene)
         std::vector<Rgb> weights(scene.states.names.size());
         const float scale = k == 0 ? 1 : scale_of(scene, k);
         weights[k] = grey(1 / scale);
-        Scene lit(lit_by(scene, weights));
-        if (!lit.data().lights.empty()) states.push_back({name, std::move(lit), scale});
+        states.push_back({name, Scene(lit_by(scene, weights)), scale});
     }
+    const auto is_dark = [](const LitState& state) { return state.scene.data().lights.empty(); };
+    const auto dark = static_cast<size_t>(std::count_if(states.begin(), states.end(), is_dark));
+    if (states.size() - dark >= kFewest)
+        states.erase(std::remove_if(states.begin(), states.end(), is_dark), states.end());
     return states;
 }
 

@@ -31,7 +31,7 @@ struct LitState {
     Rgb usual = grey(1);   // its weight until another is chosen
     bool is_tint = false;  // its light is what is left after that of the first state is taken away
 };
-// Those that have any light. Empty: the scene has no states.
+// Those that have any light, or all if that would leave one: a field has two at least. Empty: the scene has no states.
 std::vector<LitState> lit_states(const SceneData& scene);
 
 }  // namespace lumi::baker

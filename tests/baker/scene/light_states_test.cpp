@@ -103,9 +103,28 @@ TEST_CASE("light states: the light of all states is the sum of each alone, and w
     }
 }
 
-TEST_CASE("light states: a base without light is left out")
+TEST_CASE("light states: the weight of base, where nothing else is named, dims all light")
 {
     const ScratchFolder folder;
+    const std::filesystem::path file = written(folder, "", "");
+    const std::array<double, 3> all = light_of(loaded(file)),
+                                dimmed = light_of(loaded(file, {{"base", {0.5f, 0.25f, 0}}}));
+    const double left[] = {0.5, 0.25, 0};
+    for (size_t c = 0; c < 3; ++c) CHECK(dimmed[c] == Approx(left[c] * all[c]).margin(0.01 * all[c]));
+}
+
+TEST_CASE("light states: a base without light is left out, unless one state would be alone")
+{
+    const ScratchFolder folder;
+    folder.write("l.mtl", "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 9 9 9\n");
+    folder.write("l.obj",
+                 "mtllib l.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 1 -1\nv 1 1 -1\nusemtl grey\n"
+                 "f 4 3 2 1\nusemtl lamp\nf 1 2 6 5\n");
+    const std::filesystem::path file_of_lamp =
+        folder.write("l.json", R"({"objects": [{"obj": "l.obj"}], "environment": "black"})");
+    const std::vector<LitState> alone = lit_states(loaded(file_of_lamp, {{"lamp"}}).data());
+    REQUIRE(alone.size() == 2);
+    CHECK((alone[0].name == "base" && alone[0].scene.data().lights.empty() && alone[1].name == "lamp"));
     const std::filesystem::path file =
         written(folder, R"(, "state": "lamp")", R"("state": "panel")", R"(, "state": "day")");
     const std::vector<LitState> states = lit_states(loaded(file).data());
