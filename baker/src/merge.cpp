@@ -3,6 +3,7 @@
 
 #include "chord/field_writer.h"
 #include "lumi/baker/file_guard.h"
+#include "pack/shadow_patches.h"
 #include "store/bake_identity.h"
 #include "store/bake_stages.h"
 #include "store/posix_file.h"

@@ -98,7 +98,7 @@ double paths_per_deviation(const std::vector<PatchNoise>& noise, double paths)
 }  // namespace
 
 PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const FitShape& shape)
-    : shard_(shard), shape_(shape), paths_per_texel_(settings.paths_per_texel)
+    : shard_(shard), paths_per_texel_(settings.paths_per_texel)
 {
     uint32_t texels = 0;
     for (const PatchRectangle& r : shape.layout.rectangles) ends_.push_back(texels += r.size());

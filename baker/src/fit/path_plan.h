@@ -39,7 +39,6 @@ private:
     static constexpr uint32_t kMostPilot = 4'000'000;  // they are kept, in memory and on disk
 
     const Shard shard_;
-    const FitShape& shape_;
     const uint32_t paths_per_texel_;
     std::vector<uint32_t> ends_;  // by patch, in texels
     uint32_t batches_;
