@@ -178,29 +178,34 @@ SortedSamples traced(const SampleTracer& tracer, const FitShape& shape, uint64_t
 
 }  // namespace
 
-std::vector<float> texel_densities(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings,
-                                   const ProgressCallback& progress)
+std::vector<float> texel_densities(const std::vector<DensityLight>& lights, const PatchMesh& mesh,
+                                   const SurfaceSettings& settings, const ProgressCallback& progress)
 {
     const uint32_t allowed = layout_of(mesh, settings.texels_per_radius).texels;
     const float coarse = settings.texels_per_radius * static_cast<float>(std::sqrt(std::min(1.0, kCells / allowed)));
     const FitShape shape(mesh, std::vector<float>(mesh.patches.size(), coarse));
-    const SampleTracer tracer(scene, shape, ViewCap(settings.cap));
-    const EncodedTone tone(scene.tone);
-    const auto patches = static_cast<uint32_t>(mesh.patches.size());
+    const auto patches = static_cast<uint32_t>(mesh.patches.size()), count = static_cast<uint32_t>(lights.size());
     const auto lines = static_cast<uint32_t>(std::clamp(kLines / shape.layout.texels, kFewest, kMost));
-    Job job(uint64_t{2} * lines * shape.layout.texels, settings.threads, progress);
-    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 2);
-    const std::array<SortedSamples, 2> samples = {traced(tracer, shape, settings.seed + kSeedOffset, lines, job),
-                                                  traced(tracer, shape, settings.seed + kSeedOffset + 1, lines, job)};
-    const auto paths = static_cast<float>(samples[0].samples.size() + samples[1].samples.size());
-    const float usual = std::max(paths / static_cast<float>(shape.layout.texels), 1e-6f);
+    Job job(uint64_t{2} * count * lines * shape.layout.texels, settings.threads, progress);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 2 * count);
     const float finer = settings.texels_per_radius / coarse;
-    std::vector<float> importance, details;
-    for (uint32_t p = 0; p < patches; ++p) {
-        const PatchDetail d = detail_of(samples, p, shape.layout.rectangles[p], tone, p >= mesh.opaque_patches());
-        const float detail = d.detail / (finer * finer) + kLeastDetail;
-        importance.push_back(std::pow(d.seen / usual * detail / kLeastDetail, kPower));
-        details.push_back(d.detail);
+    std::vector<float> importance(patches), details(patches);
+    for (const DensityLight& light : lights) {
+        const SampleTracer tracer(light.scene, shape, ViewCap(settings.cap));
+        const EncodedTone tone(light.scene.tone);
+        const auto half = [&](uint64_t k) {
+            return traced(tracer, shape, settings.seed + kSeedOffset + k, lines, job);
+        };
+        const std::array<SortedSamples, 2> samples = {half(0), half(1)};
+        const auto paths = static_cast<float>(samples[0].samples.size() + samples[1].samples.size());
+        const float usual = std::max(paths / static_cast<float>(shape.layout.texels), 1e-6f);
+        for (uint32_t p = 0; p < patches; ++p) {
+            PatchDetail d = detail_of(samples, p, shape.layout.rectangles[p], tone, p >= mesh.opaque_patches());
+            d.detail *= light.times * light.times;
+            const float detail = d.detail / (finer * finer) + kLeastDetail;
+            importance[p] = std::max(importance[p], std::pow(d.seen / usual * detail / kLeastDetail, kPower));
+            details[p] = std::max(details[p], d.detail);
+        }
     }
     const uint32_t texels = settings.fills ? allowed : std::min(allowed, needed_texels(mesh, details, coarse));
     // The range of densities is one around the mean.

@@ -8,9 +8,15 @@
 namespace lumi::baker
 {
 
-// Texels a radius, by patch: the more the colours of neighbouring texels differ and the more often a patch is seen, the
-// denser; no more texels in all than with settings.texels_per_radius everywhere. Traces some light paths a texel.
-std::vector<float> texel_densities(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings,
-                                   const ProgressCallback& progress);
+struct DensityLight {
+    const SceneData& scene;
+    float times = 1;  // what its levels count
+};
+
+// Texels a radius, by patch: the more the colours of neighbouring texels differ in some light and the more often a
+// patch is seen, the denser; no more texels in all than with settings.texels_per_radius everywhere. Traces some light
+// paths a texel in each light.
+std::vector<float> texel_densities(const std::vector<DensityLight>& lights, const PatchMesh& mesh,
+                                   const SurfaceSettings& settings, const ProgressCallback& progress);
 
 }  // namespace lumi::baker

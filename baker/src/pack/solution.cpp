@@ -14,6 +14,7 @@
 #include "pack/surface_writer.h"
 #include "pack/texel_palette.h"
 #include "pack/view_quantiser.h"
+#include "scene/light_states.h"
 
 namespace lumi::baker
 {
@@ -41,7 +42,7 @@ void cover_views(const FitShape& shape, std::vector<ViewCode>& views)
         if (coverage[v].count == 0 || !views[v].is_there()) continue;
         const float share = coverage[v].sum / coverage[v].count;
         for (uint8_t& gain : views[v].gains)
-            gain = static_cast<uint8_t>(std::max(std::lround(share * static_cast<float>(gain)), 1L));
+            if (gain != 0) gain = static_cast<uint8_t>(std::max(std::lround(share * static_cast<float>(gain)), 1L));
     }
 }
 
@@ -149,7 +150,7 @@ public:
         for (const Solving& l : lights_)
             for (size_t v = 0; v < viewed.size(); ++v) viewed[v] = viewed[v] != 0 || l.model.viewed[v] != 0 ? 1 : 0;
         std::vector<ViewLayer> layers;
-        for (const Solving& l : lights_) layers.push_back({l.light.state.sums, l.model});
+        for (const Solving& l : lights_) layers.push_back({l.light.state.sums, l.model, times_seen(l.light.scale)});
         const auto count = static_cast<uint32_t>(std::count(viewed.begin(), viewed.end(), 1));
         const auto states = static_cast<uint32_t>(lights_.size());
         views_ = quantised(layers, viewed, code_bits_for(planned_view_bytes(shape_.mesh, true, states), count, states));
@@ -223,7 +224,8 @@ FieldParts solved(const std::vector<TracedLight>& lights, const FieldSphere& sph
         FitModel& model = solving.emplace_back(light, job).model;
         Solution& solution = solving.back().solution;
         solution.solve(model, "all tables");
-        job.run(1, [&](uint32_t) { model.viewed = viewed_vertices(state.sums, model, kLeastDifference); });
+        const double least = kLeastDifference / static_cast<double>(times_seen(light.scale));
+        job.run(1, [&](uint32_t) { model.viewed = viewed_vertices(state.sums, model, least); });
         solution.solve(model, "tables");
     }
     job.run(1, [&](uint32_t) { part_tints(shape, solving); });

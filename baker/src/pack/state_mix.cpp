@@ -123,10 +123,13 @@ std::vector<uint8_t> mean_entries(const FitShape& shape, const LevelsOfStates& s
     std::vector<StatePoint> entries(kPaletteEntries);
     for (size_t k = 0; k < kPaletteEntries; ++k)
         for (size_t s = 0; s < palettes.size(); ++s)
-            for (size_t c = 0; c < 3; ++c) entries[k][3 * s + c] = levels_of(palettes[s][k])[c];
+            for (size_t c = 0; c < 3; ++c)
+                entries[k][3 * s + c] = compared_level(states, s, levels_of(palettes[s][k])[c]);
     std::vector<uint8_t> means;
-    for (const StatePoint& mean : vertex_means(shape, states))
+    for (StatePoint mean : vertex_means(shape, states)) {
+        for (size_t k = 0; k < 3 * states.size(); ++k) mean[k] = compared_level(states, k / 3, mean[k]);
         means.push_back(static_cast<uint8_t>(nearest_centre(entries, mean).index));
+    }
     return means;
 }
 

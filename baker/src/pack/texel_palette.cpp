@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "image/palette.h"
+#include "scene/light_states.h"
 
 namespace lumi::baker
 {
@@ -94,10 +95,9 @@ uint8_t level_byte(float v)
 }
 
 template <size_t N>
-Rgb8 colour_at(const std::array<float, N>& point, size_t at, float importance = 1)
+Rgb8 colour_at(const std::array<float, N>& point, size_t at)
 {
-    const auto level = [&](size_t c) { return level_byte(point[at + c] / importance); };
-    return {level(0), level(1), level(2)};
+    return {level_byte(point[at]), level_byte(point[at + 1]), level_byte(point[at + 2])};
 }
 
 // By texel: whether its patch is see-through.
@@ -123,11 +123,12 @@ std::vector<uint32_t> texels_of(const FitShape& shape, bool see_through)
 constexpr uint64_t kTexelPaletteSeed = 0x73706C;
 constexpr size_t kMaxSamples = 32768;  // more change the palette's error by less than a hundredth
 
-// A level's error is seen as so many at full weight.
-float importance_of(const StateLevels& state)
+constexpr float kBlackApart = 8;  // levels
+
+// The inverse of compared_level.
+float own_level(const LevelsOfStates& states, size_t state, float compared)
 {
-    constexpr float kGamma = 2.2f;
-    return std::pow(state.scale, 1 / kGamma);
+    return states.size() == 1 ? compared : std::max(compared - kBlackApart, 0.0f) / times_seen(states[state].scale);
 }
 
 // What the texel shows in each state.
@@ -137,7 +138,7 @@ std::array<float, N> point_of(const LevelsOfStates& levels, size_t texel)
     std::array<float, N> point{};
     for (size_t k = 0; k < levels.size(); ++k)
         for (size_t c = 0; c < 3; ++c)
-            point[3 * k + c] = importance_of(levels[k]) * shown_level(levels[k].texels[texel][c]);
+            point[3 * k + c] = compared_level(levels, k, shown_level(levels[k].texels[texel][c]));
     return point;
 }
 
@@ -150,14 +151,14 @@ void put_opaque(const FitShape& shape, const LevelsOfStates& levels, PalettedTex
     for (size_t k = 0; k < opaque.size(); k += opaque.size() / kMaxSamples + 1)
         some.push_back(point_of<N>(levels, opaque[k]));
     std::vector<std::array<float, N>> centres = k_means(some, {}, detail::format::kPaletteEntries, kTexelPaletteSeed);
-    for (std::array<float, N>& c : centres)
+    for (size_t k = 0; k < centres.size(); ++k) {
+        std::array<float, N> own{};
         for (size_t n = 0; n < 3 * levels.size(); ++n) {
-            const float importance = importance_of(levels[n / 3]);
-            c[n] = importance * std::round(c[n] / importance);
+            own[n] = std::round(own_level(levels, n / 3, centres[k][n]));
+            centres[k][n] = compared_level(levels, n / 3, own[n]);
         }
-    for (size_t k = 0; k < centres.size(); ++k)
-        for (size_t s = 0; s < levels.size(); ++s)
-            result.palettes[s][k] = colour_at(centres[k], 3 * s, importance_of(levels[s]));
+        for (size_t s = 0; s < levels.size(); ++s) result.palettes[s][k] = colour_at(own, 3 * s);
+    }
     for (size_t t = 0; t < levels[0].texels.size(); ++t)
         result.texels.push_back(static_cast<uint8_t>(nearest_centre(centres, point_of<N>(levels, t)).index));
 }
@@ -204,6 +205,13 @@ PalettedTexels paletted_in(const FitShape& shape, const EncodedTone& tone, const
 }
 
 }  // namespace
+
+float compared_level(const LevelsOfStates& states, size_t state, float level)
+{
+    constexpr float kBlack = 0.5f;  // levels below it are shown as 0
+    if (states.size() == 1) return level;
+    return level < kBlack ? 0 : kBlackApart + times_seen(states[state].scale) * level;
+}
 
 PalettedTexels paletted(const FitShape& shape, const EncodedTone& tone, const LevelsOfStates& levels,
                         const std::vector<LevelColour>& all, size_t kept)

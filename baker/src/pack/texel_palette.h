@@ -26,6 +26,10 @@ struct StateLevels {
 };
 using LevelsOfStates = std::vector<StateLevels>;
 
+// Levels are compared as they are seen at full weight. What a lamp does not reach is far from all else, so that it
+// stays black. Of one state alone: the level itself.
+float compared_level(const LevelsOfStates& states, size_t state, float level);
+
 // `all`: what texels show in all states together. `kept`: the last entries of see-through texels that stay free.
 PalettedTexels paletted(const FitShape& shape, const EncodedTone& tone, const LevelsOfStates& levels,
                         const std::vector<LevelColour>& all, size_t kept);

@@ -38,16 +38,18 @@ LevelColour difference(const LevelColour& a, const LevelColour& b)
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// In units of the format, at least 1.
-uint8_t rounded_gain(float gain)
+// In units of the format.
+uint8_t rounded_gain(float gain, float least)
 {
-    return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), 1.0f, 255.0f));
+    return static_cast<uint8_t>(std::clamp(std::round(gain * kGainUnit), least, 255.0f));
 }
 
 // The tables of one state of the light, as they are fitted to.
 struct Layer {
     const FitSums& sums;
     const std::vector<LevelColour>& nodes;
+    float square_of_times;
+    float least_gain;  // 1 of the first: 0 says there that there is no table
     std::vector<double> weights;
     std::vector<Gains> gains;          // by vertex
     std::vector<LevelColour> centres;  // 2^bits a node
@@ -66,7 +68,9 @@ public:
         for (const ViewLayer& l : layers) {
             layers_.push_back({l.sums,
                                l.model.nodes,
-                               node_weights(l.sums),
+                               l.times * l.times,
+                               layers_.empty() ? 1.0f : 0.0f,
+                               weights_of(l),
                                std::vector<Gains>(viewed.size()),
                                std::vector<LevelColour>(kViewNodes << bits),
                                {}});
@@ -104,6 +108,13 @@ private:
     }
     static float gain(const Layer& l, size_t v, size_t c) { return static_cast<float>(l.gains[v][c]) / kGainUnit; }
 
+    static std::vector<double> weights_of(const ViewLayer& l)
+    {
+        std::vector<double> weights = node_weights(l.sums);
+        for (double& w : weights) w *= static_cast<double>(l.times * l.times);
+        return weights;
+    }
+
     // Nodes that no path met count a little, too.
     static void weigh_unseen(double* weights)
     {
@@ -125,7 +136,7 @@ private:
                 weights += weight(l, v, k);
             }
             for (size_t c = 0; c < 3; ++c)
-                l.gains[v][c] = rounded_gain(std::sqrt(sums[c] / std::max(weights, 1e-6f)) / kTypical);
+                l.gains[v][c] = rounded_gain(std::sqrt(sums[c] / std::max(weights, 1e-6f)) / kTypical, l.least_gain);
         }
     }
 
@@ -134,6 +145,12 @@ private:
         float sum = 0;
         for (const Layer& l : layers_) sum += weight(l, v, k) * square(error_with(l, v, k, code));
         return sum;
+    }
+
+    static float seed(const Layer& l, size_t v, size_t k, size_t c)
+    {
+        const float gain_here = gain(l, v, c);
+        return gain_here > 0 ? std::clamp(node(l, v, k)[c] / gain_here, -kMostLevel, kMostLevel) : 0;
     }
 
     void seed_centres()
@@ -148,8 +165,7 @@ private:
                 if (!chosen) break;
                 const uint32_t at = vertices_[*chosen];
                 for (Layer& l : layers_)
-                    for (size_t c = 0; c < 3; ++c)
-                        centre(l, k, code)[c] = std::clamp(node(l, at, k)[c] / gain(l, at, c), -kMostLevel, kMostLevel);
+                    for (size_t c = 0; c < 3; ++c) centre(l, k, code)[c] = seed(l, at, k, c);
                 for (size_t i = 0; i < vertices_.size(); ++i)
                     distances[i] = std::min(distances[i], distance_to(vertices_[i], k, code));
             }
@@ -194,7 +210,7 @@ private:
                 }
             }
             for (size_t c = 0; c < 3; ++c)
-                if (size[c] > 0) l.gains[v][c] = rounded_gain(wanted[c] / size[c]);
+                if (size[c] > 0) l.gains[v][c] = rounded_gain(wanted[c] / size[c], l.least_gain);
         }
     }
 
@@ -236,6 +252,7 @@ private:
         LevelColour pull{};
         for (const NodeProducts::Entry& entry : products.row(node))
             for (size_t c = 0; c < 3; ++c) pull[c] += entry.product * l.errors[entry.node][c];
+        for (float& channel : pull) channel *= l.square_of_times;
         return pull;
     }
 

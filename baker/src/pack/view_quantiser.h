@@ -25,6 +25,7 @@ uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states = 1);
 struct ViewLayer {
     const FitSums& sums;
     const FitModel& model;
+    float times = 1;  // what its levels count
 };
 
 // Returns the quantised view tables of the viewed vertices, by state. Codes are the same in all.

@@ -260,6 +260,12 @@ Rgb usual_of(const SceneData& scene, uint32_t number)
 
 }  // namespace
 
+float times_seen(float scale)
+{
+    constexpr float kGamma = 2.2f;
+    return std::pow(scale, 1 / kGamma);
+}
+
 std::unique_ptr<SceneData> lit_by(const SceneData& scene, const std::vector<Rgb>& weights)
 {
     std::vector<Material> materials = scene.materials;

@@ -31,6 +31,8 @@ struct LitState {
     Rgb usual = grey(1);   // its weight until another is chosen
     bool is_tint = false;  // its light is what is left after that of the first state is taken away
 };
+// About how many levels at full weight one level of a state's own is.
+float times_seen(float scale);
 // Those that have any light, or all if that would leave one: a field has two at least. Empty: the scene has no states.
 std::vector<LitState> lit_states(const SceneData& scene);
 

@@ -64,12 +64,31 @@ private:
     uint32_t kept_ = UINT32_MAX;  // batches
 };
 
-FitBasis basis_of(const SceneData& scene, const BuiltMesh& built, const SurfaceSettings& settings,
-                  const ProgressCallback& progress)
+// The light of a scene, or of one of its states. Borrows all.
+struct Lit {
+    const Scene& scene;
+    Keeper* keeper;  // may be null
+    std::string name = {};
+    float scale = 1;
+    Rgb usual = grey(1);
+    bool is_tint = false;
+};
+
+// All light together counts, and each state that may be seen alone.
+std::vector<DensityLight> density_lights(const SceneData& scene, const std::vector<Lit>& lights)
+{
+    std::vector<DensityLight> result = {{scene}};
+    for (const Lit& light : lights)
+        if (lights.size() > 1 && !light.is_tint) result.push_back({light.scene.data(), times_seen(light.scale)});
+    return result;
+}
+
+FitBasis basis_of(const SceneData& scene, const std::vector<Lit>& lights, const BuiltMesh& built,
+                  const SurfaceSettings& settings, const ProgressCallback& progress)
 {
     JobSeries jobs(as_stage(Stage::mesh, progress));
     FitBasis basis = {built.mesh,
-                      texel_densities(scene, built.mesh, settings, jobs.next()),
+                      texel_densities(density_lights(scene, lights), built.mesh, settings, jobs.next()),
                       built.loss,
                       scene.tone,
                       {scene.centre, scene.radius},
@@ -91,13 +110,14 @@ std::shared_ptr<const BuiltMesh> mesh_of(const Scene& scene, const SurfacePlan& 
     return made.mesh;
 }
 
-// A keeper that has the basis saves making it; null: nothing is kept.
-FitBasis basis_for(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output, Keeper* keeper,
-                   const ProgressCallback& progress)
+// The keeper of the first light may have it.
+FitBasis basis_for(const Scene& scene, const std::vector<Lit>& lights, const SurfacePlan& plan,
+                   const std::filesystem::path& output, const ProgressCallback& progress)
 {
+    Keeper* const keeper = lights[0].keeper;
     if (std::optional<FitBasis> kept = keeper != nullptr ? keeper->store().read_basis() : std::nullopt)
         return std::move(*kept);
-    FitBasis basis = basis_of(scene.data(), *mesh_of(scene, plan, output, progress), plan.settings, progress);
+    FitBasis basis = basis_of(scene.data(), lights, *mesh_of(scene, plan, output, progress), plan.settings, progress);
     if (keeper != nullptr) keeper->store().write_basis(basis);
     return basis;
 }
@@ -110,16 +130,6 @@ std::filesystem::path output_of_state(const std::filesystem::path& output, size_
     if (state == 0 || output.empty()) return output;
     return output.string() + ".state" + std::to_string(state);
 }
-
-// The light of a scene, or of one of its states. Borrows all.
-struct Lit {
-    const Scene& scene;
-    Keeper* keeper;  // may be null
-    std::string name = {};
-    float scale = 1;
-    Rgb usual = grey(1);
-    bool is_tint = false;
-};
 
 // Traces one of them.
 class LitTrace
@@ -289,7 +299,7 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
     for (const LitState& state : states)
         lights.push_back({state.scene, nullptr, state.name, state.scale, state.usual, state.is_tint});
     if (states.empty()) lights.push_back({scene, nullptr});
-    SurfaceFit fit(lights, plan.settings, {}, basis_for(scene, plan, {}, nullptr, progress), {}, progress);
+    SurfaceFit fit(lights, plan.settings, {}, basis_for(scene, lights, plan, {}, progress), {}, progress);
     fit.trace();
     return fit.field();
 }
@@ -313,7 +323,7 @@ SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std:
         lights.back().is_tint = states[k].is_tint;
     }
     if (earlier == Earlier::discard) discard_stages(output);
-    FitBasis basis = basis_for(scene, plan, output, keepers[0].get(), progress);
+    FitBasis basis = basis_for(scene, lights, plan, output, progress);
     SurfaceFit fit(lights, plan.settings, {}, std::move(basis), output, progress);
     fit.trace();
     SurfaceBake bake = fit.field();
@@ -335,8 +345,9 @@ void bake_surface_shard(const Scene& scene, const SurfacePlan& plan, const Shard
     if (earlier == Earlier::resume && is_finished_shard(output, id, has_all_sums)) return;
     Keeper keeper(checkpoint_of(output), id, earlier);
     if (earlier == Earlier::discard) discard_stages(output);
-    FitBasis basis = basis_for(scene, plan, output, &keeper, progress);
-    SurfaceFit({{scene, &keeper}}, plan.settings, shard, std::move(basis), output, progress).trace();
+    const std::vector<Lit> lights = {{scene, &keeper}};
+    FitBasis basis = basis_for(scene, lights, plan, output, progress);
+    SurfaceFit(lights, plan.settings, shard, std::move(basis), output, progress).trace();
     keeper.checkpoint().rename_to(output);
     discard_stages(output);
 }

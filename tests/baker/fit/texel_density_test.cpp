@@ -50,7 +50,7 @@ TEST_CASE("texels lie densest where colours change, and are no more in all")
     settings.fills = true;
     const ProgressCallback quiet;
     const PatchMesh mesh = two_squares();
-    const std::vector<float> densities = texel_densities(scene.data(), mesh, settings, quiet);
+    const std::vector<float> densities = texel_densities({{scene.data()}}, mesh, settings, quiet);
     REQUIRE(densities.size() == 2);
     CHECK(densities[0] < 15);
     CHECK(densities[1] > 24);
@@ -67,16 +67,18 @@ TEST_CASE("texels are no more than show, unless they are to fill what is allowed
     const Scene even = maker.make(constant_environment(0)), striped = one_of_them_striped();
     const PatchMesh mesh = two_squares();
     const ProgressCallback quiet;
-    const auto texels = [&](const Scene& scene, bool fills) {
+    const auto texels = [&](const std::vector<DensityLight>& lights, bool fills) {
         SurfaceSettings settings = tiny_surface();
         settings.texels_per_radius = 60;
         settings.fills = fills;
-        return layout_of(mesh, texel_densities(scene.data(), mesh, settings, quiet)).texels;
+        return layout_of(mesh, texel_densities(lights, mesh, settings, quiet)).texels;
     };
     const uint32_t allowed = layout_of(mesh, 60).texels;
-    CHECK(texels(even, false) < allowed / 4);
-    CHECK(texels(even, true) > allowed * 9 / 10);
-    CHECK(texels(striped, false) > allowed / 2);
+    CHECK(texels({{even.data()}}, false) < allowed / 4);
+    CHECK(texels({{even.data()}}, true) > allowed * 9 / 10);
+    CHECK(texels({{striped.data()}}, false) > allowed / 2);
+    CHECK(texels({{even.data()}, {striped.data()}}, false) > allowed / 2);
+    CHECK(texels({{even.data()}, {striped.data(), 0.01f}}, false) < allowed / 4);
 }
 
 }  // namespace lumi::baker::testing

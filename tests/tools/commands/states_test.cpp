@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Light states, through the program.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "image/picture_file.h"
 #include "metrics/psnr.h"
@@ -18,9 +19,10 @@ using test::joined;
 using test::lumi;
 
 // A floor, and a panel that shines on it. Azimuth 0 looks at the panel.
-std::string write_room(const test::TemporaryFolder& folder)
+std::string write_room(const test::TemporaryFolder& folder, const std::string& gloss = "")
 {
-    test::write_content(folder / "room.mtl", "newmtl grey\nKd 0.6 0.5 0.4\nnewmtl panel\nKd 0 0 0\nKe 0.9 0.5 0.2\n");
+    test::write_content(folder / "room.mtl",
+                        "newmtl grey\nKd 0.6 0.5 0.4\n" + gloss + "newmtl panel\nKd 0 0 0\nKe 0.9 0.5 0.2\n");
     const std::string obj = folder / "room.obj";
     test::write_content(obj,
                         "mtllib room.mtl\no floor\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n"
@@ -29,9 +31,9 @@ std::string write_room(const test::TemporaryFolder& folder)
     return obj;
 }
 
-Picture lit_picture(const test::Arguments& arguments, const std::string& output)
+Picture lit_picture(const test::Arguments& arguments, const std::string& output, const std::string& eye = "0,35,3")
 {
-    done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,35,3", "--background", "black"})));
+    done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", eye, "--background", "black"})));
     return read_png(output);
 }
 
@@ -67,6 +69,33 @@ TEST_CASE("states: a field shows the light that the reference of the scene has, 
                "named 'pannel' (did you mean panel?); choose among: base, panel");
     for (const std::string word : {"panel", "panel=2", "panel=1,2", "=1", "panel=-1", "panel="})
         check_told({"render", field, "-o", folder / "n.png", "--state", word}, "takes NAME=WEIGHT");
+}
+
+TEST_CASE("states: a lamp alone looks as in a field of that lamp, and what it does not reach stays black")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = write_room(folder, "Pm 1\nPr 0.4\n"), field = folder / "room.lumi",
+                      own = folder / "own.lumi", below = "180,-85,3";
+    const test::Arguments same = {"--up", "z", "--exposure", "0"}, size = {"--fit", "60kB", "--paths", "30"},
+                          bake = joined({"bake", scene}, joined(same, size)), sky = {"--sky", "studio"},
+                          alone = {"--state", "base=0"};
+    done(lumi(joined(bake, joined(sky, {"-o", field, "--state", "panel"}))));
+    done(lumi(joined(bake, {"--sky", "black", "-o", own})));
+    const test::Arguments dark = joined({"render", field}, alone);
+    const Picture shown = lit_picture(dark, folder / "f.png"), best = lit_picture({"render", own}, folder / "o.png"),
+                  truth = lit_picture(joined({"reference", scene, "--spp", "64", "--sky", "black"}, same),
+                                      folder / "r.png");
+    CHECK(psnr_db(shown, truth) > psnr_db(best, truth) - 1);
+    const Picture black = lit_picture(dark, folder / "b.png", below),
+                  lit = lit_picture({"render", field}, folder / "l.png", below);
+    CHECK(std::isinf(psnr_db(black, Picture(64, 64))));
+    CHECK(psnr_db(lit, black) < 20);
+    const test::Outcome told = lumi(joined(joined({"report", scene, field, "--json", "--count", "1", "--spp", "16",
+                                                   "--size", "32", "--cache", folder / "kept"},
+                                                  same),
+                                           joined(sky, alone)));
+    const std::string key = "\"psnr_db\": ";
+    CHECK(std::stod(told.out.substr(told.out.find(key) + key.size())) > 25);
 }
 
 TEST_CASE("states: a tint shows the model's colour until another is chosen, and then that, with its bounced light")

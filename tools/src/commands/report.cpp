@@ -141,6 +141,8 @@ void run(ReportOptions& options)
     announce_outputs({options.output});
     options.reference.threads = options.scene.threads;
     trade::Files fields = open_all(options.fields, FieldFile::Role::input);
+    if (!options.scene.states.empty())
+        for (const auto& field : fields) add_unnamed(*field, options.scene.states);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
     Ladder ladder;

@@ -79,13 +79,34 @@ void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colou
         ->take_all();
 }
 
-std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field)
+namespace
+{
+
+std::vector<std::string> names_of(const FieldFile& field)
 {
     std::vector<std::string> names;
     for (uint32_t k = 0; field.is_surface() && k < field.surface().state_count; ++k) {
         const StateName name = state_name(field.surface(), k);
         names.emplace_back(name.text, name.bytes);
     }
+    return names;
+}
+
+}  // namespace
+
+void add_unnamed(const FieldFile& field, std::vector<baker::StateOption>& states)
+{
+    const std::vector<std::string> names = names_of(field);
+    for (uint32_t k = 0; k < names.size(); ++k) {
+        const auto has_name = [&](const baker::StateOption& state) { return state.name == names[k]; };
+        if (!is_tint(field.surface(), k) && std::none_of(states.begin(), states.end(), has_name))
+            states.push_back({names[k]});
+    }
+}
+
+std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field)
+{
+    const std::vector<std::string> names = names_of(field);
     std::vector<StateValue> values;
     for (const baker::StateOption& state : states) {
         const auto found = std::find(names.begin(), names.end(), state.name);

@@ -22,6 +22,9 @@ void add_tint_option(CLI::App& command, std::vector<std::string>& tints);
 // Adds --tint NAME=COLOUR, which chooses it.
 void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colours);
 
+// Adds the light states of a field that are not among them: they are on.
+void add_unnamed(const FieldFile& field, std::vector<baker::StateOption>& states);
+
 // The weights of a field's own states. Throws Failure where it has no state of a name.
 std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field);
 
