@@ -113,7 +113,7 @@ TEST_CASE("inspect lists what moves")
     CHECK_THAT(text.out, Catch::Contains("  moves         second hand: turns, by any angle\n") &&
                              Catch::Contains("  moves         second-hand: turns from -22.5 to 22.5 degrees\n") &&
                              Catch::Contains("  moves         int: slides from -0.0625 to 0.9375 radii\n"));
-    const auto json = nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json"}).out);
+    const auto json = nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--screen", "64x64"}).out);
     REQUIRE(json["parts"].size() == 3);
     CHECK(json["parts"][0]["name"] == "second hand");
     CHECK(!json["parts"][0].contains("from"));

@@ -116,7 +116,7 @@ TEST_CASE("states: a tint shows the model's colour until another is chosen, and 
     }
     check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "gray"}, "did you mean grey?");
     check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "grey", "--state", "panel"}, "light states or tints");
-    check_told({"reference", scene, "-o", folder / "n.png", "--tint", "grey=2"}, "takes NAME=WEIGHT");
+    check_told({"reference", scene, "-o", folder / "n.png", "--tint", "grey=2"}, "takes NAME=COLOUR");
     REQUIRE(lumi({"inspect", field}).code == 0);
     CHECK_THAT(lumi({"inspect", field}).out, Catch::Contains("tint          grey"));
 }

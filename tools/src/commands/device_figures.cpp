@@ -138,7 +138,7 @@ nlohmann::ordered_json device_json(const FieldFile& file, const Device& device)
     for (const ModeFigures& mode : device_figures(file, device)) {
         json["ram_bytes"][mode.mode] = {{"view", mode.ram.view}, {"stripe", mode.ram.stripe}};
         for (const planner::PartRate& part : mode.parts) {
-            json["parts"][part.chip->key] = json_of(*part.chip);
+            json["chips"][part.chip->key] = json_of(*part.chip);
             json["frames_per_second"][mode.mode][part.chip->key] = part.mean;
             json["worst_frames_per_second"][mode.mode][part.chip->key] = part.worst;
         }

@@ -43,7 +43,7 @@ std::string device_text(const FieldFile& file, const Device& device = {});
 // The finest mode that the part draws at that pace, else its fastest one, how fast that is, and its RAM: a line.
 std::string pace_text(const FieldFile& file, const planner::Pace& pace, const host::ScreenSize& screen = {});
 
-// "screen", "stack_bytes", "parts", and by mode "ram_bytes", "frames_per_second", "worst_frames_per_second".
+// "screen", "stack_bytes", "chips", and by mode "ram_bytes", "frames_per_second", "worst_frames_per_second".
 nlohmann::ordered_json device_json(const FieldFile& file, const Device& device = {});
 
 }  // namespace lumi::tools

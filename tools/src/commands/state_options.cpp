@@ -18,12 +18,15 @@ namespace
 // Names may hold '=': the last one counts.
 baker::StateOption weighted(const std::string& option, const std::string& word)
 {
+    const bool is_colour = option == "--tint";
     const size_t at = std::min(word.rfind('='), word.size());
     const auto weight = at == word.size() ? std::nullopt : colour_of(word.substr(at + 1));
     const bool is_sound = weight && std::all_of(weight->begin(), weight->end(), [](float w) { return w <= 1; });
     if (at == 0 || !is_sound)
         throw CLI::ValidationError(
-            option, "takes NAME=WEIGHT with a weight from 0 to 1, or three as in lamp=1,0.8,0.5, not \"" + word + "\"");
+            option, std::string("takes ") + (is_colour ? "NAME=COLOUR with a colour" : "NAME=WEIGHT with a weight") +
+                        " from 0 to 1, or three as in " + (is_colour ? "shell=0.6,0.1,0.1" : "lamp=1,0.8,0.5") +
+                        ", not \"" + word + "\"");
     return {word.substr(0, at), *weight};
 }
 
