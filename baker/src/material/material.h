@@ -173,6 +173,13 @@ struct Material : MaterialNumbers {
     bool emits() const { return !is_black(emission); }
     // Whether it looks different when turned in its plane.
     bool brushed() const { return !brushed_skins.empty() || !brushed_facets.empty(); }
+    // Whether what light it reflects hardly depends on the view.
+    bool is_matt() const
+    {
+        constexpr float kRough = 0.64f;  // a roughness of 0.8
+        const bool is_dull = !specular || (alpha >= kRough && !maps.roughness.used());
+        return is_dull && !glass && !thin && metalness == 0 && !maps.metalness.used() && coat == 0 && sheen == 0;
+    }
     bool may_pass() const { return opacity < 1 || maps.opacity.used() || thin; }
     // Whether glass is something else, too, at some points.
     bool is_mixed_glass() const { return glass && (transmission < 1 || maps.transmission.used() || metalness > 0); }

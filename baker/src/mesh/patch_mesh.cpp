@@ -201,6 +201,14 @@ std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
     return viewable;
 }
 
+uint32_t most_viewed_vertices(const PatchMesh& mesh)
+{
+    constexpr uint32_t kOneOf = 16, kFew = 64;
+    const std::vector<uint8_t> viewable = viewable_vertices(mesh);
+    const auto all = static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1));
+    return mesh.is_matt == 0 ? all : std::min(all, std::max(all / kOneOf, kFew));
+}
+
 uint32_t triangle_count(const PatchMesh& mesh)
 {
     uint32_t triangles = 0;
@@ -343,10 +351,19 @@ BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, Bake
 
 }  // namespace
 
+bool is_matt(const SceneData& scene)
+{
+    return std::all_of(
+        scene.mesh.materials.begin(), scene.mesh.materials.end(),
+        [&](uint32_t material) { return scene.materials[material].is_matt(); });
+}
+
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)
 {
-    return scene.moving.empty() ? standing_mesh(scene, settings, stages, job)
-                                : moving_mesh(scene, settings, stages, job);
+    BuiltMesh built =
+        scene.moving.empty() ? standing_mesh(scene, settings, stages, job) : moving_mesh(scene, settings, stages, job);
+    built.mesh.is_matt = is_matt(scene) ? 1 : 0;
+    return built;
 }
 
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings)

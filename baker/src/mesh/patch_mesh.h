@@ -47,6 +47,7 @@ struct PatchMesh {
     uint32_t see_through_patches = 0;  // the last so many
     uint32_t ground_patches = 0;       // the first so many of those: a shadow below the object
     uint32_t has_panes = 0;            // 1: of those some mirror, so they have view tables
+    uint32_t is_matt = 0;              // 1: the scene's surfaces are, so few vertices need a view table
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 
     uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
@@ -81,12 +82,17 @@ Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers
 Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add depends on the view where they mirror.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
+// So many vertices get one at most in a state of the light: all that can, or of a matt mesh some.
+uint32_t most_viewed_vertices(const PatchMesh& mesh);
 uint32_t triangle_count(const PatchMesh& mesh);
 // Whether the format can hold it.
 bool fits(const PatchMesh& mesh);
 
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
+
+// Whether no surface of a scene shows much that depends on the view.
+bool is_matt(const SceneData& scene);
 
 // Adds patches of another mesh behind those that there are.
 void append(PatchMesh& mesh, const PatchMesh& other);

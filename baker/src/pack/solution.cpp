@@ -105,6 +105,17 @@ uint64_t solution_work(const FitState& state)
 namespace
 {
 
+// Those that show the most differences, no more than were planned for.
+std::vector<uint8_t> planned_vertices(const FitSums& sums, const FitModel& model, double least)
+{
+    constexpr double kStep = 1.1;
+    const uint32_t most = most_viewed_vertices(sums.shape().mesh);
+    for (;; least *= kStep) {
+        std::vector<uint8_t> viewed = viewed_vertices(sums, model, least);
+        if (std::count(viewed.begin(), viewed.end(), 1) <= most) return viewed;
+    }
+}
+
 // A state of the light while its colours are found.
 struct Solving {
     Solving(const TracedLight& of, Job& job) : light(of), solution(of.state, of.stages, job), model(of.state.expected)
@@ -225,7 +236,7 @@ FieldParts solved(const std::vector<TracedLight>& lights, const FieldSphere& sph
         Solution& solution = solving.back().solution;
         solution.solve(model, "all tables");
         const double least = kLeastDifference / static_cast<double>(times_seen(light.scale));
-        job.run(1, [&](uint32_t) { model.viewed = viewed_vertices(state.sums, model, least); });
+        job.run(1, [&](uint32_t) { model.viewed = planned_vertices(state.sums, model, least); });
         solution.solve(model, "tables");
     }
     job.run(1, [&](uint32_t) { part_tints(shape, solving); });

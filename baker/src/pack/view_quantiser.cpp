@@ -352,8 +352,8 @@ uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables, uint32_t st
 {
     if (!view_tables) return table_bytes(0, kPlannedCodeBits, states);
     const std::vector<uint8_t> viewable = viewable_vertices(mesh);
-    return table_bytes(static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1)), kPlannedCodeBits,
-                       states);
+    const auto all = static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1));
+    return table_bytes(std::min(all, states * most_viewed_vertices(mesh)), kPlannedCodeBits, states);
 }
 
 uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states)

@@ -15,7 +15,7 @@ namespace lumi::baker
 namespace
 {
 
-constexpr uint32_t kBasisTag = 0x42475253;
+constexpr uint32_t kBasisTag = 0x42475254;
 
 bool is_within(float v, float most)
 {
@@ -66,11 +66,12 @@ template <class Io>
 void fields(Io& io, PatchMesh& mesh)
 {
     io(mesh.longest_edge, mesh.positions, mesh.normals, mesh.patches, mesh.see_through_patches, mesh.has_panes,
-       mesh.is_in_drawing_order, mesh.parts);
+       mesh.is_matt, mesh.is_in_drawing_order, mesh.parts);
     const size_t vertices = mesh.positions.size();
     io.require(vertices <= detail::format::kMaxSurfaceVertices && mesh.patches.size() <= detail::format::kMaxPatches);
     io.require(mesh.normals.size() == vertices && mesh.see_through_patches <= mesh.patches.size() &&
-               mesh.is_in_drawing_order <= 1 && mesh.has_panes <= 1 && mesh.parts.size() <= detail::format::kMaxParts);
+               mesh.is_in_drawing_order <= 1 && mesh.has_panes <= 1 && mesh.is_matt <= 1 &&
+               mesh.parts.size() <= detail::format::kMaxParts);
     for (uint32_t k = 0; k < mesh.parts.size(); ++k)
         io.require(mesh.first_patch(k) <= mesh.parts[k].first_patch &&
                    mesh.parts[k].first_patch <= mesh.opaque_patches());

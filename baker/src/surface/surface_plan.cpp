@@ -21,7 +21,8 @@ namespace lumi::baker
 namespace
 {
 
-constexpr double kBytesATriangle = 90;  // bytes of the budget; with split edges and view tables the mesh takes about 35
+// Bytes of the budget; with split edges and view tables the mesh takes about 35. A matt one has neither: it takes 19.
+constexpr double kBytesATriangle = 90, kBytesAMattTriangle = 60;
 constexpr uint32_t kFewestTriangles = 100;
 constexpr double kMostForMesh = 0.5;  // share of the budget
 
@@ -55,8 +56,8 @@ float density_of(int steps)
     return static_cast<float>(steps) / kStepsARadius;
 }
 
-// Bytes of the file if every vertex gets a view table, or with these settings none does. Throws BakeError for more
-// texels than the format holds.
+// Bytes of the file if as many vertices as can be get a view table, or with these settings none does. Throws BakeError
+// for more texels than the format holds.
 uint64_t most_bytes(const PatchMesh& mesh, float texels_per_radius, const SurfaceSettings& settings, uint32_t states)
 {
     constexpr size_t kSections = 7;  // of opaque fields
@@ -96,15 +97,16 @@ int finest_that_fits(const PatchMesh& mesh, const SurfaceSettings& settings, uin
     return low;
 }
 
-uint32_t triangles_for(double bytes)
+uint32_t triangles_for(double bytes, bool is_matt)
 {
-    return static_cast<uint32_t>(
-        std::clamp(bytes / kBytesATriangle, double{kFewestTriangles}, double{kMostPlannedTriangles}));
+    const double of_one = is_matt ? kBytesAMattTriangle : kBytesATriangle;
+    return static_cast<uint32_t>(std::clamp(bytes / of_one, double{kFewestTriangles}, double{kMostPlannedTriangles}));
 }
 
-// Splitting edges takes some kilobytes, however few triangles there are.
-float edge_for(double bytes)
+// Splitting edges takes some kilobytes, however few triangles there are. It serves view tables.
+float edge_for(double bytes, bool is_matt)
 {
+    if (is_matt) return kLongestEdge;
     constexpr double kShort = 0.2, kBytesForShort = 100'000;
     return static_cast<float>(std::clamp(kShort * std::sqrt(kBytesForShort / bytes), kShort, double{kLongestEdge}));
 }
@@ -176,8 +178,8 @@ public:
     void plan(SurfacePlan& plan)
     {
         const auto budget = static_cast<double>(limits_.bytes);
-        if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget);
-        if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget);
+        if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget, is_matt(scene_.data()));
+        if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget, is_matt(scene_.data()));
         make_until_kept(plan);
         for (const double share : kMoreForMesh)
             if (!mend(plan, share, plan.settings.view_tables)) break;

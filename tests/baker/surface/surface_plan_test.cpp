@@ -4,6 +4,7 @@
 
 #include "lumi/surface/field.h"
 #include "lumi/surface/format.h"
+#include "mesh/patch_mesh.h"
 #include "surface/surface_scenes.h"
 
 namespace lumi::baker::testing
@@ -13,10 +14,10 @@ namespace
 
 constexpr SurfaceLimits kByHand = {UINT32_MAX, std::nullopt, false, false, false};
 
-Scene ball()
+Scene ball(const Material& material)
 {
     SceneMaker maker;
-    maker.ball(maker.add(diffuse(grey(0.5f))), {0, 0, 0}, 0.9f, 16);
+    maker.ball(maker.add(material), {0, 0, 0}, 0.9f, 16);
     maker.span_unit_sphere();
     return maker.make(constant_environment(1));
 }
@@ -39,7 +40,7 @@ Scene sticks()
 // Steps of meshes that other plans have made are found in the file of stages.
 SurfacePlan plan_of(const SurfaceLimits& limits, SurfaceSettings settings = {})
 {
-    static const Scene scene = ball();
+    static const Scene scene = ball(glossy(grey(0.5f), 0.2f));
     static const ScratchFolder folder;
     settings.threads = 1;
     return plan_surface(scene, settings, limits, {}, folder.at("f.lumi"));
@@ -108,6 +109,20 @@ TEST_CASE("edges get longer where the mesh would take half of the bytes")
         coarse.texels_per_radius = 1;
         CHECK(plan_of(kByHand, coarse).most_bytes <= bytes / 2);
     }
+}
+
+TEST_CASE("bytes of view tables go to triangles and texels where a scene is matt")
+{
+    const Scene matt = ball(diffuse(grey(0.5f))), dull = ball(glossy(grey(0.5f), 0.8f));
+    const SurfacePlan shiny = plan_of(within(20'000));
+    for (const Scene* scene : {&matt, &dull}) {
+        const SurfacePlan plan = plan_surface(*scene, {}, within(20'000), {}, {});
+        REQUIRE(plan.mesh);
+        CHECK(plan.settings.triangles > 1.4 * shiny.settings.triangles);
+        CHECK(most_viewed_vertices(plan.mesh->mesh) < plan.mesh->mesh.positions.size() / 2);
+        CHECK(plan.most_bytes <= 20'000);
+    }
+    CHECK(most_viewed_vertices(shiny.mesh->mesh) == shiny.mesh->mesh.positions.size());
 }
 
 TEST_CASE("what is set by hand stays in a surface plan")

@@ -214,10 +214,10 @@ TEST_CASE("inspect --screen --rows --for tells RAM, stack and rates of that scre
     CHECK(large["ram_bytes"]["2x2"]["stripe"] == 466 * 8 * 2);
     CHECK(large["ram_bytes"]["2x2"]["view"] > large["ram_bytes"]["one-sample"]["view"]);
     CHECK(large["stack_bytes"] == 3072);
-    CHECK(large["parts"].size() == 1);
-    CHECK(large["parts"]["esp32s3"]["estimated"] == true);
-    CHECK(usual["parts"].size() == 8);
-    CHECK(usual["parts"]["rp2040"]["estimated"] == false);
+    CHECK(large["chips"].size() == 1);
+    CHECK(large["chips"]["esp32s3"]["estimated"] == true);
+    CHECK(usual["chips"].size() == 8);
+    CHECK(usual["chips"]["rp2040"]["estimated"] == false);
     CHECK(large["frames_per_second"]["2x2"]["esp32s3"] < usual["frames_per_second"]["2x2"]["esp32s3"]);
     CHECK(told({"--rows", "4"})["frames_per_second"]["2x2"]["rp2040"] < usual["frames_per_second"]["2x2"]["rp2040"]);
     CHECK_FALSE(told({}).contains("ram_bytes"));
