@@ -201,12 +201,12 @@ std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
     return viewable;
 }
 
-uint32_t most_viewed_vertices(const PatchMesh& mesh)
+uint32_t most_viewed_vertices(const PatchMesh& mesh, uint32_t states)
 {
     constexpr uint32_t kOneOf = 16, kFew = 64;
     const std::vector<uint8_t> viewable = viewable_vertices(mesh);
     const auto all = static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1));
-    return mesh.is_matt == 0 ? all : std::min(all, std::max(all / kOneOf, kFew));
+    return mesh.is_matt == 0 ? all : std::min(all, states * std::max(all / kOneOf, kFew));
 }
 
 uint32_t triangle_count(const PatchMesh& mesh)

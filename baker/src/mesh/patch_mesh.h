@@ -82,8 +82,8 @@ Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers
 Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add depends on the view where they mirror.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
-// So many vertices get one at most in a state of the light: all that can, or of a matt mesh some.
-uint32_t most_viewed_vertices(const PatchMesh& mesh);
+// So many vertices get one at most: all that can, or of a matt mesh some for each state of the light.
+uint32_t most_viewed_vertices(const PatchMesh& mesh, uint32_t states = 1);
 uint32_t triangle_count(const PatchMesh& mesh);
 // Whether the format can hold it.
 bool fits(const PatchMesh& mesh);

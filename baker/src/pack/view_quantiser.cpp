@@ -350,10 +350,7 @@ uint64_t table_bytes(uint32_t viewed, uint32_t bits, uint32_t states)
 
 uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables, uint32_t states)
 {
-    if (!view_tables) return table_bytes(0, kPlannedCodeBits, states);
-    const std::vector<uint8_t> viewable = viewable_vertices(mesh);
-    const auto all = static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1));
-    return table_bytes(std::min(all, states * most_viewed_vertices(mesh)), kPlannedCodeBits, states);
+    return table_bytes(view_tables ? most_viewed_vertices(mesh, states) : 0, kPlannedCodeBits, states);
 }
 
 uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states)
