@@ -178,10 +178,11 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
         is_first = false;
         const JobStage stage(job, Stage::solving, end_of(1), kRoundRuns);
         if (k != 0) smoothness.learn(sums, state.expected);
-        round = {state.expected, paths_.lines(sums)};
+        round.model = state.expected;
         if (!solver) solver.emplace(sums, smoothness, round.model.viewed, job);
         solver->solve(round.model, kPilotIterations);
         if (k + 1 == kPilotRounds) leave_out_flat_tables(sums, *solver, round.model);
+        round.lines = paths_.lines(sums, round.model.viewed);
         finish_texels(sums, state.tone, round.model);
         return true;
     };

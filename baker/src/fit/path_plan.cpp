@@ -15,13 +15,14 @@ constexpr double kLeastOpen = 0.125;  // share of a patch's lines that nothing s
 constexpr double kFewestPaths = 8;    // to a texel
 constexpr double kOwnPart = 0.4;      // of the noise of texels, which are smoothed afterwards; tables are not
 constexpr double kQuiet = 0.5;        // levels: less noise of a texel is not looked at
-constexpr uint32_t kMostOfMean = 32;  // times the mean: where little else is noisy, one patch would get all
+constexpr double kMostOfMean = 32;    // times the mean: where little else is noisy, one patch would get all
 constexpr int kHalvings = 40;
 
 struct PatchNoise {
     double texels = 0, open = 0;
     double own = 0, tables = 0;  // standard deviations of a path: in a texel's colour, and in what tables are fitted to
     double share = 1;            // of the mean patch's texels: tables of small ones are as large
+    bool viewed = false;         // at least one corner has a table
 
     // Paths to a texel, so many times its deviation.
     double wanted(double per_deviation) const
@@ -50,7 +51,14 @@ Squares squares_of(const PatchSums& patch)
     return result;
 }
 
-std::vector<PatchNoise> noise_of(const FitSums& pilot, uint32_t lines)
+bool is_viewed(const FitShape& shape, uint32_t patch, const std::vector<uint8_t>& viewed)
+{
+    for (uint32_t corner = 0; corner < 4; ++corner)
+        if (const uint32_t v = shape.vertex(patch, corner); v != PatchMesh::kNone && viewed[v] != 0) return true;
+    return false;
+}
+
+std::vector<PatchNoise> noise_of(const FitSums& pilot, const std::vector<uint8_t>& viewed, uint32_t lines)
 {
     std::vector<Squares> squares;
     Squares all;
@@ -70,6 +78,8 @@ std::vector<PatchNoise> noise_of(const FitSums& pilot, uint32_t lines)
         n.share = n.texels / usual;
         n.own = std::sqrt((s.own + kPrior * all.own / paths) / (s.paths + kPrior));
         n.tables = std::sqrt((s.tables + kPrior * all.tables / paths) / (s.paths + kPrior));
+        n.viewed = is_viewed(pilot.shape(), static_cast<uint32_t>(p), viewed);
+        if (!n.viewed) n.tables = 0;
         if (s.paths == 0) n.own = n.tables = 0;
         result.push_back(n);
     }
@@ -103,13 +113,18 @@ PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const Fi
     uint32_t texels = 0;
     for (const PatchRectangle& r : shape.layout.rectangles) ends_.push_back(texels += r.size());
     batches_ = (texels + kBatchTexels - 1) / kBatchTexels;
+    if (shape.mesh.is_matt != 0) return;
+    const std::vector<float> allowed(shape.mesh.patches.size(), settings.texels_per_radius);
+    spared_ = std::max(1.0, 1.0 * unlimited_layout(shape.mesh, allowed).texels / std::max(texels, 1u));
 }
 
-std::vector<uint32_t> PathPlan::lines(const FitSums& pilot) const
+std::vector<uint32_t> PathPlan::lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const
 {
-    const std::vector<PatchNoise> noise = noise_of(pilot, pilot_lines());
-    const double per_deviation = paths_per_deviation(noise, 1.0 * paths_per_texel_ * ends_.back());
-    const double most = std::min(1.0 * kMostOfMean * paths_per_texel_, kMaxTexelSamples - 1.0);
+    const std::vector<PatchNoise> noise = noise_of(pilot, viewed, pilot_lines());
+    double paths = 0;
+    for (const PatchNoise& n : noise) paths += paths_per_texel_ * n.texels * (n.viewed ? spared_ : 1);
+    const double per_deviation = paths_per_deviation(noise, paths);
+    const double most = std::min(kMostOfMean * spared_ * paths_per_texel_, kMaxTexelSamples - 1.0);
     std::vector<uint32_t> result;
     for (const PatchNoise& n : noise)
         result.push_back(static_cast<uint32_t>(std::min(most, std::ceil(n.wanted(per_deviation) / n.open))));

@@ -29,10 +29,11 @@ public:
     uint32_t batches() const { return (batches_ + shard_.count - shard_.index) / shard_.count; }
     uint32_t batch(uint32_t k) const { return k * shard_.count + shard_.index - 1; }
 
-    // By patch, the lines to each of its texels: as many as its noise needs and the settings allow.
-    std::vector<uint32_t> lines(const FitSums& pilot) const;
+    // By patch, the lines to each of its texels: as many as its noise needs and the settings allow. Where a view table
+    // is fitted, texels that the plan spares leave their lines to the others: a table is as large as it was.
+    std::vector<uint32_t> lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const;
     // Lines to a texel that the settings allow in the mean.
-    uint32_t most_lines() const { return paths_per_texel_; }
+    uint32_t most_lines() const { return static_cast<uint32_t>(paths_per_texel_ * spared_); }
 
 private:
     static constexpr uint32_t kMostPilotLines = 32;
@@ -42,6 +43,7 @@ private:
     const uint32_t paths_per_texel_;
     std::vector<uint32_t> ends_;  // by patch, in texels
     uint32_t batches_;
+    double spared_ = 1;  // texels that the settings allow, for each that there is; of matt meshes 1
 };
 
 template <class Function>

@@ -173,11 +173,14 @@ struct Material : MaterialNumbers {
     bool emits() const { return !is_black(emission); }
     // Whether it looks different when turned in its plane.
     bool brushed() const { return !brushed_skins.empty() || !brushed_facets.empty(); }
-    // Whether what light it reflects hardly depends on the view.
-    bool is_matt() const
+    // Whether what light it reflects hardly depends on the view, where its body has this colour: what a dull skin
+    // reflects, some 4 % straight on and more aslant, shows unless the body is bright.
+    bool is_matt(const Rgb& body) const
     {
         constexpr float kRough = 0.64f;  // a roughness of 0.8
-        const bool is_dull = !specular || (alpha >= kRough && !maps.roughness.used());
+        constexpr float kBright = 0.6f;
+        const bool is_rough = alpha >= kRough && !maps.roughness.used();
+        const bool is_dull = !specular || (is_rough && max_component(body) >= kBright);
         return is_dull && !glass && !thin && metalness == 0 && !maps.metalness.used() && coat == 0 && sheen == 0;
     }
     bool may_pass() const { return opacity < 1 || maps.opacity.used() || thin; }

@@ -5,6 +5,7 @@
 
 #include "geometry/smooth_groups.h"
 #include "lumi/surface/format.h"
+#include "material/texture_slot.h"
 #include "mesh/edge_split.h"
 #include "mesh/mesh_draft.h"
 #include "mesh/mesh_fit.h"
@@ -22,7 +23,8 @@ namespace
 
 constexpr float kFewerTriangles = 0.8f;
 constexpr float kLongerEdges = 1.1f;
-constexpr float kNoLongerEdge = 2;  // radii, the sphere's diameter
+constexpr float kNoLongerEdge = 2;    // radii, the sphere's diameter
+constexpr uint32_t kViewedOneOf = 8;  // vertices of a matt scene: so many may have a view table, and so much may shine
 
 // Work of the stages, in light paths that take as long: of a triangle of the scene, of one that is asked for, and of
 // the pictures and rays that judge the result. Estimates: they decide how evenly progress moves.
@@ -203,10 +205,10 @@ std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
 
 uint32_t most_viewed_vertices(const PatchMesh& mesh, uint32_t states)
 {
-    constexpr uint32_t kOneOf = 16, kFew = 64;
+    constexpr uint32_t kFew = 64;
     const std::vector<uint8_t> viewable = viewable_vertices(mesh);
     const auto all = static_cast<uint32_t>(std::count(viewable.begin(), viewable.end(), 1));
-    return mesh.is_matt == 0 ? all : std::min(all, states * std::max(all / kOneOf, kFew));
+    return mesh.is_matt == 0 ? all : std::min(all, states * std::max(all / kViewedOneOf, kFew));
 }
 
 uint32_t triangle_count(const PatchMesh& mesh)
@@ -353,9 +355,16 @@ BuiltMesh moving_mesh(const SceneData& scene, const MeshSettings& settings, Bake
 
 bool is_matt(const SceneData& scene)
 {
-    return std::all_of(
-        scene.mesh.materials.begin(), scene.mesh.materials.end(),
-        [&](uint32_t material) { return scene.materials[material].is_matt(); });
+    constexpr Vec2 kMiddle = {1.0f / 3, 1.0f / 3};
+    const Mesh& mesh = scene.mesh;
+    double all = 0, shining = 0;
+    for (uint32_t t = 0; t < mesh.materials.size(); ++t) {
+        const Material& material = scene.materials[mesh.materials[t]];
+        const Rgb body = material.base * slot_colour(mesh, scene.textures, material.maps.base, t, kMiddle);
+        all += mesh.area(t);
+        shining += material.is_matt(body) ? 0 : mesh.area(t);
+    }
+    return shining <= all / kViewedOneOf;
 }
 
 BuiltMesh build_mesh(const SceneData& scene, const MeshSettings& settings, BakeStages& stages, Job& job)

@@ -47,7 +47,7 @@ struct PatchMesh {
     uint32_t see_through_patches = 0;  // the last so many
     uint32_t ground_patches = 0;       // the first so many of those: a shadow below the object
     uint32_t has_panes = 0;            // 1: of those some mirror, so they have view tables
-    uint32_t is_matt = 0;              // 1: the scene's surfaces are, so few vertices need a view table
+    uint32_t is_matt = 0;              // 1: nearly all surfaces of the scene are, so few vertices need a view table
     uint32_t is_in_drawing_order = 0;  // 1: those are drawn one after the other, else from far to near
 
     uint32_t opaque_patches() const { return static_cast<uint32_t>(patches.size()) - see_through_patches; }
@@ -91,7 +91,7 @@ bool fits(const PatchMesh& mesh);
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
 
-// Whether no surface of a scene shows much that depends on the view.
+// Whether hardly any of a scene's surfaces show much that depends on the view.
 bool is_matt(const SceneData& scene);
 
 // Adds patches of another mesh behind those that there are.

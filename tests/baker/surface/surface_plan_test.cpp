@@ -113,7 +113,7 @@ TEST_CASE("edges get longer where the mesh would take half of the bytes")
 
 TEST_CASE("bytes of view tables go to triangles and texels where a scene is matt")
 {
-    const Scene matt = ball(diffuse(grey(0.5f))), dull = ball(glossy(grey(0.5f), 0.8f));
+    const Scene matt = ball(diffuse(grey(0.5f))), dull = ball(glossy(grey(0.7f), 0.8f));
     const SurfacePlan shiny = plan_of(within(20'000));
     for (const Scene* scene : {&matt, &dull}) {
         const SurfacePlan plan = plan_surface(*scene, {}, within(20'000), {}, {});
@@ -123,6 +123,8 @@ TEST_CASE("bytes of view tables go to triangles and texels where a scene is matt
         CHECK(plan.most_bytes <= 20'000);
     }
     CHECK(most_viewed_vertices(shiny.mesh->mesh) == shiny.mesh->mesh.positions.size());
+    const Scene dark = ball(glossy(grey(0.4f), 0.8f));
+    CHECK(plan_surface(dark, {}, within(20'000), {}, {}).mesh->mesh.is_matt == 0);
 }
 
 TEST_CASE("what is set by hand stays in a surface plan")
