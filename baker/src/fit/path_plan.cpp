@@ -114,8 +114,10 @@ PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const Fi
     for (const PatchRectangle& r : shape.layout.rectangles) ends_.push_back(texels += r.size());
     batches_ = (texels + kBatchTexels - 1) / kBatchTexels;
     if (shape.mesh.is_matt != 0) return;
-    const std::vector<float> allowed(shape.mesh.patches.size(), settings.texels_per_radius);
-    spared_ = std::max(1.0, 1.0 * unlimited_layout(shape.mesh, allowed).texels / std::max(texels, 1u));
+    const std::vector<float> densities(shape.mesh.patches.size(), settings.texels_per_radius);
+    double allowed = 0;
+    for (const PatchRectangle& r : unlimited_layout(shape.mesh, densities).rectangles) allowed += r.size();
+    spared_ = std::max(1.0, allowed / std::max(texels, 1u));
 }
 
 std::vector<uint32_t> PathPlan::lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const

@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr uint32_t kPilotLines = 32;  // to each texel of a small field
+constexpr float kDensity = 8;         // texels a radius
 
 // Two squares side by side, and a lone triangle.
 FitShape shape_of_three()
@@ -20,7 +21,7 @@ FitShape shape_of_three()
                       {0, 0.5f, 0},      {0.5f, 0.5f, 0}, {0, 0.8f, 0}};
     mesh.normals = std::vector<Vec3>(7, Vec3{0, 0, 1});
     mesh.patches = {{0, 1, 3, 4}, {1, 2, 4, 5}, {3, 5, 6, PatchMesh::kNone}};
-    return FitShape(mesh, {8, 8, 8});
+    return FitShape(mesh, {kDensity, kDensity, kDensity});
 }
 
 // Light of levels that differ by up to `noise`, `paths` of it to each texel of a patch.
@@ -37,8 +38,10 @@ void add_light(FitSums& sums, uint32_t patch, uint32_t paths, float noise)
     sums.add(patch, samples.data(), samples.data() + samples.size());
 }
 
-// Of the first square's texels, of which so many lines of the pilot brought light, as noisy as this.
-std::vector<uint32_t> planned_lines(uint32_t paths, float noise, float others = 0.1f)
+// Of the first square's texels, of which so many lines of the pilot brought light, as noisy as this. Settings would
+// allow texels of `density`.
+std::vector<uint32_t> planned_lines(uint32_t paths, float noise, float others = 0.1f, float density = kDensity,
+                                    uint8_t viewed = 1)
 {
     const FitShape shape = shape_of_three();
     const EncodedTone tone(ToneCurve::srgb);
@@ -49,7 +52,8 @@ std::vector<uint32_t> planned_lines(uint32_t paths, float noise, float others = 
     add_light(sums, 1, kPilotLines, others);
     SurfaceSettings settings;
     settings.paths_per_texel = 60;
-    return PathPlan(settings, Shard{}, shape).lines(sums);
+    settings.texels_per_radius = density;
+    return PathPlan(settings, Shard{}, shape).lines(sums, std::vector<uint8_t>(shape.mesh.positions.size(), viewed));
 }
 
 }  // namespace
@@ -108,6 +112,13 @@ TEST_CASE("more lines go where light is noisy, or where few lines bring any", "[
     CHECK(hidden[0] > hidden[1] * 3 / 2);
     CHECK(planned_lines(1, 10, 0)[0] <= 32 * 60);  // however little noise there is elsewhere
     for (const uint32_t lines : planned_lines(kPilotLines, 0, 0)) CHECK(lines <= 64);  // more would tell nothing new
+}
+
+TEST_CASE("texels that are spared leave their lines to view tables, and to nothing else", "[fit]")
+{
+    const uint32_t usual = planned_lines(kPilotLines, 0.1f)[0];
+    CHECK(planned_lines(kPilotLines, 0.1f, 0.1f, 2 * kDensity)[0] == Approx(4 * usual).epsilon(0.1));
+    CHECK(planned_lines(kPilotLines, 0.1f, 0.1f, 2 * kDensity, 0)[0] <= usual);
 }
 
 }  // namespace lumi::baker::testing
