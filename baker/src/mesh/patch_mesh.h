@@ -91,7 +91,7 @@ bool fits(const PatchMesh& mesh);
 // About as much work as tracing so many light paths.
 uint64_t mesh_work(const SceneData& scene, const MeshSettings& settings);
 
-// Whether hardly any of a scene's surfaces show much that depends on the view.
+// Whether at most an eighth of a scene's area, hidden or not, shows much that depends on the view.
 bool is_matt(const SceneData& scene);
 
 // Adds patches of another mesh behind those that there are.

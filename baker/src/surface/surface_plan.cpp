@@ -179,8 +179,9 @@ public:
     void plan(SurfacePlan& plan)
     {
         const auto budget = static_cast<double>(limits_.bytes);
-        if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget, is_matt(scene_.data()));
-        if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget, is_matt(scene_.data()));
+        const bool matt = is_matt(scene_.data());
+        if (limits_.chooses_triangles) plan.settings.triangles = triangles_for(budget, matt);
+        if (limits_.chooses_edge) plan.settings.longest_edge = edge_for(budget, matt);
         make_until_kept(plan);
         for (const double share : kMoreForMesh)
             if (!mend(plan, share, plan.settings.view_tables)) break;

@@ -38,8 +38,8 @@ void add_light(FitSums& sums, uint32_t patch, uint32_t paths, float noise)
     sums.add(patch, samples.data(), samples.data() + samples.size());
 }
 
-// Of the first square's texels, of which so many lines of the pilot brought light, as noisy as this. Settings would
-// allow texels of `density`.
+// Returns the lines to a texel, by patch. So many lines of the pilot brought light to the first square, as noisy as
+// `noise`. The settings allow texels of `density`, and vertices have view tables if `viewed` is not 0.
 std::vector<uint32_t> planned_lines(uint32_t paths, float noise, float others = 0.1f, float density = kDensity,
                                     uint8_t viewed = 1)
 {

@@ -14,12 +14,12 @@ namespace
 
 constexpr SurfaceLimits kByHand = {UINT32_MAX, std::nullopt, false, false, false};
 
-// With a small ball of chrome in it, out of sight.
+// Where chrome is asked for, a ball of it looks out of the other one and touches the unit sphere.
 Scene ball(const Material& material, float chrome_radius = 0)
 {
     SceneMaker maker;
     maker.ball(maker.add(material), {0, 0, 0}, 0.9f, 16);
-    if (chrome_radius > 0) maker.ball(maker.add(metal(grey(0.8f), 0.1f)), {0, 0, 0}, chrome_radius, 16);
+    if (chrome_radius > 0) maker.ball(maker.add(metal(grey(0.8f), 0.1f)), {1 - chrome_radius, 0, 0}, chrome_radius, 16);
     maker.span_unit_sphere();
     return maker.make(constant_environment(1));
 }
