@@ -4,7 +4,7 @@
 
 Reads the names that core's public headers declare, from the headers themselves.
 
-page       docs/api.md has a row for each name of namespace lumi, under its header, and no other row; the table of
+page       docs/api.md has each name of namespace lumi in the row of its header, and no other; the table of
            core/README.md has each call of lumi.h, and no other.
 firmware   A firmware that has a global of its own for every name of namespace lumi::detail, and for every short name
            that the headers use, says `using namespace lumi;` and draws fields of both layouts. Compiles it with all
@@ -95,13 +95,13 @@ def public_names(names):
 
 # The page
 
-ROW = re.compile(r"^\|([^|]*`[^|]*)\|\s*`([\w/]+\.h)`\s*\|[^|]*\w[^|]*\|$", re.MULTILINE)
+ROW = re.compile(r"^\|\s*`([\w/]+\.h)`\s*\|([^|]*`[^|]*)\|[^|]*\w[^|]*\|$", re.MULTILINE)
 
 
 def page_problems(page, names):
-    rows = [(name, header) for cell, header in ROW.findall(page) for name in re.findall(r"`(\w+)`", cell)]
-    problems = [f"docs/api.md: `{name}` has two rows" for (name, header), n in collections.Counter(rows).items() if n > 1]
-    problems += [f"docs/api.md: no row for `{name}` of {header}" for name, header in sorted(names - set(rows))]
+    rows = [(name, header) for header, cell in ROW.findall(page) for name in re.findall(r"`(\w+)`", cell)]
+    problems = [f"docs/api.md: `{name}` stands there twice" for (name, header), n in collections.Counter(rows).items() if n > 1]
+    problems += [f"docs/api.md: `{name}` of {header} is missing" for name, header in sorted(names - set(rows))]
     return problems + [f"docs/api.md: {header} has no `{name}`" for name, header in sorted(set(rows) - names)]
 
 

@@ -29,7 +29,6 @@ TABLES = {
     "quality": trade.quality,
     "quality first": trade.first_table,
     "beside": trade.beside,
-    "quality readme": trade.readme_table,
     "trade clock": lambda: trade.front("clock"),
     "trade volume": lambda: trade.front("volume"),
     "trade modes": trade.modes,

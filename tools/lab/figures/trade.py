@@ -73,17 +73,6 @@ def beside():
                     lambda row: [row["renderer"], row["fpu"], row["m0plus"]])
 
 
-def readme_table():
-    fast = clock_rows({"surface": "antialiased", "chord": "nearest, S = 16"})
-    good = {row["field"]: row for row in clock_rows({"surface": "2x2", "chord": "linear, S = 8"})}
-
-    def text(row):
-        return f"{decimal(row['psnr_db'])} dB / {decimal(row['ssim'], 3)}"
-    return Table(["field", "flash", "antialiased; nearest", "2×2; linear"],
-                 [[row["field"].replace("-", ", ").replace("kB", " kB").replace("MB", " MB"),
-                   f"{row['flash_bytes'] / 1e6:.2f} MB", text(row), text(good[row["field"]])] for row in fast])
-
-
 def quality():
     """Compares fields and other ways to show the desk clock; those were measured once."""
     others = load("once")["quality"]
