@@ -14,6 +14,7 @@ namespace lumi::tools
 namespace
 {
 
+using test::check_told;
 using test::joined;
 using test::lumi;
 
@@ -35,13 +36,6 @@ Picture drawn(const test::Arguments& arguments, const std::string& output)
 {
     done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", "0,0,3", "--background", "black"})));
     return read_png(output);
-}
-
-void check_refused(const test::Arguments& arguments, const std::string& word)
-{
-    const test::Outcome outcome = lumi(arguments);
-    CHECK(outcome.code != 0);
-    CHECK_THAT(outcome.err, Catch::Contains(word));
 }
 
 }  // namespace
@@ -66,10 +60,10 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
     REQUIRE(lumi({"embed", field, "-o", folder / "gauge.S"}).code == 0);
     CHECK_THAT(test::content_of(folder / "gauge.h"),
                Catch::Contains("gauge_moving_parts = 2, gauge_part_a_b_needle = 0 }"));  // with its shadow
-    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
+    check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
                   "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
-    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");
-    check_refused({"render", field, "-o", folder / "n.png", "--part", "a=b:needle=0..9"}, "views of --turntable");
+    check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");
+    check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:needle=0..9"}, "views of --turntable");
     const auto view = [&](const std::string& name, const test::Arguments& arguments) {
         REQUIRE(lumi(joined({"render", field, "-o", folder / name, "--size", "64x64"}, arguments)).code == 0);
     };
@@ -85,16 +79,16 @@ TEST_CASE("parts: words that name no part are refused with the way to write it")
     const auto bake = [&](const std::string& part) {
         return test::Arguments{"bake", scene, "-o", folder / "n.lumi", "--part", part};
     };
-    check_refused(bake("needle"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
-    check_refused(bake(":x"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
-    check_refused(bake("a=b:needle:w"), "takes an axis x, y, z");
-    check_refused(bake("a=b:needle:1,2"), "takes an axis x, y, z");
-    check_refused(bake("a=b:needle:x@1,2"), "takes a pivot X,Y,Z");
-    check_refused(bake("a=b:needle:x"), "has no pivot");
-    check_refused(joined(joined({"bake", scene, "-o", folder / "n.lumi"}, kNeedle), {"--layout", "chord"}),
+    check_told(bake("needle"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
+    check_told(bake(":x"), "takes NAME:AXIS or NAME:AXIS@X,Y,Z");
+    check_told(bake("a=b:needle:w"), "takes an axis x, y, z");
+    check_told(bake("a=b:needle:1,2"), "takes an axis x, y, z");
+    check_told(bake("a=b:needle:x@1,2"), "takes a pivot X,Y,Z");
+    check_told(bake("a=b:needle:x"), "has no pivot");
+    check_told(joined(joined({"bake", scene, "-o", folder / "n.lumi"}, kNeedle), {"--layout", "chord"}),
                   "a chord field has no parts that move");
     test::write_content(folder / "s.lumi", test::small_surface_bytes());
-    check_refused({"render", folder / "s.lumi", "-o", folder / "n.png", "--part", "a=1"}, "nothing in it moves");
+    check_told({"render", folder / "s.lumi", "-o", folder / "n.png", "--part", "a=1"}, "nothing in it moves");
 }
 
 }  // namespace lumi::tools

@@ -15,6 +15,7 @@ namespace lumi::tools
 namespace
 {
 
+using test::check_told;
 using test::joined;
 using test::lumi;
 
@@ -35,13 +36,6 @@ Picture lit_picture(const test::Arguments& arguments, const std::string& output,
 {
     done(lumi(joined(arguments, {"-o", output, "--size", "64x64", "--orbit", eye, "--background", "black"})));
     return read_png(output);
-}
-
-void check_told(const test::Arguments& arguments, const std::string& word)
-{
-    const test::Outcome outcome = lumi(arguments);
-    CHECK(outcome.code != 0);
-    CHECK_THAT(outcome.err, Catch::Contains(word));
 }
 
 }  // namespace

@@ -52,6 +52,14 @@ void check_refused(const Outcome& outcome, int code, const Said& said)
         CHECK_THAT(outcome.err, said);
 }
 
+// Checks that `lumi` failed and said `word`.
+inline void check_told(const Arguments& arguments, const std::string& word)
+{
+    const Outcome outcome = lumi(arguments);
+    CHECK(outcome.code != 0);
+    CHECK_THAT(outcome.err, Catch::Contains(word));
+}
+
 // Starts `lumi`, sends SIGINT once it has written the progress of its work, waits for its end.
 Outcome lumi_interrupted(Arguments arguments);
 
