@@ -289,7 +289,7 @@ std::vector<LitState> lit_states(const SceneData& scene)
             continue;
         }
         std::vector<Rgb> weights(scene.states.names.size());
-        const float scale = k == 0 ? 1 : scale_of(scene, k);
+        const float scale = scale_of(scene, k);
         weights[k] = grey(1 / scale);
         states.push_back({name, Scene(lit_by(scene, weights)), scale});
     }

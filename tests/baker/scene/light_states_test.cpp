@@ -101,6 +101,7 @@ TEST_CASE("light states: the light of all states is the sum of each alone, and w
         CHECK(sum[c] == Approx(all[c]).epsilon(0.03));
         CHECK(all[c] - dimmed[c] == Approx(lost[c] * 2 * panel[c]).margin(0.03 * all[c]));
     }
+    CHECK(lit_states(loaded(written(folder, "", ""), {{"sky"}}).data())[0].scale == 2);  // base has the panel
 }
 
 TEST_CASE("light states: the weight of base, where nothing else is named, dims all light")
