@@ -137,6 +137,7 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
     Job job(1, 0, go_on);
     BakeStages nothing_kept({}, {});
     FieldParts parts = solved({{state, nothing_kept}}, basis->sphere, job, ground_levels(basis->ground, shape.mesh));
+    parts.is_draft = std::get<SurfaceSettings>(set.settings()).draft;
     FitShape with_shadows = shape;
     add_ground(basis->ground, with_shadows, parts);
     add_shadows(basis->shadows.shadows, with_shadows, parts);

@@ -48,6 +48,7 @@ public:
     const std::map<uint32_t, BlockFile*>& shards() const { return shards_; }
     bool is_surface() const { return !shards_.empty() && shards_.begin()->second->identity().is_surface(); }
     uint32_t count() const { return shards_.begin()->second->identity().shard.count; }
+    const AnySettings& settings() const { return shards_.begin()->second->identity().settings; }
 
     // These note problems of the contents.
     void say(const std::filesystem::path& file, const std::string& text);

@@ -231,6 +231,11 @@ TEST_CASE("shards of a surface bake merge to the bytes of the whole", "[repeated
 
 TEST_CASE("missing and damaged and foreign and unfinished surface shards are named", "[repeated]")
 {
+    SurfaceSettings draft = tiny_surface();
+    draft.draft = true;
+    const ScratchFolder drafts;
+    merge_shards(bake_shards(scene, draft, 2, drafts), drafts.at("f.lumi"));
+    CHECK(read_bytes(drafts.at("f.lumi")) == baked(scene, draft));
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
     SurfaceSettings settings = tiny_surface();
