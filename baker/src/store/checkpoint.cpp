@@ -145,6 +145,19 @@ void require_same(const fs::path& path, const BakeIdentity& there, const BakeIde
 
 }  // namespace
 
+void discard_checkpoint(const fs::path& output)
+{
+    const fs::path path = with_suffix(output, ".part");
+    if (!is_there(path)) return;
+    try {
+        require_no_input(path);
+        PosixFile file(path, PosixFile::Mode::update);
+        if (file.try_lock()) fs::remove(path);
+    } catch (const std::runtime_error&) {
+        return;  // it is no harm where it stays
+    }
+}
+
 Checkpoint::Checkpoint(const fs::path& path, const BakeIdentity& identity, Earlier earlier)
     : blocks_(open_or_begin(path, identity, earlier)),
       next_sync_((Clock::now() + kSyncInterval).time_since_epoch().count())

@@ -30,6 +30,9 @@ bool is_finished_shard(const std::filesystem::path& output, const BakeIdentity& 
 
 inline constexpr std::chrono::seconds kSyncInterval(5);
 
+// Removes the checkpoint of an output that no bake goes on with, unless a process has it.
+void discard_checkpoint(const std::filesystem::path& output);
+
 class Checkpoint
 {
 public:

@@ -331,6 +331,8 @@ SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std:
     file.append(bake.file);
     file.commit();
     for (const std::unique_ptr<Keeper>& keeper : keepers) keeper->checkpoint().remove();
+    // An earlier bake may have had more states.
+    for (size_t k = keepers.size(); k < detail::format::kMaxStates; ++k) discard_checkpoint(output_of_state(output, k));
     discard_stages(output);
     return bake;
 }

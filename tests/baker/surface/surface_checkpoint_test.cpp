@@ -4,6 +4,7 @@
 #include "fit/fit_model.h"
 #include "lumi/baker/merge.h"
 #include "store/bake_stages.h"
+#include "store/posix_file.h"
 #include "surface/surface_file_store.h"
 #include "surface/surface_scenes.h"
 
@@ -85,8 +86,11 @@ TEST_CASE("a bake of light states goes on in the state where it was stopped, to 
     for (const double share : {0.1, 0.5, 0.9}) {
         const ScratchFolder work;
         CHECK_THROWS_AS(bake_surface(scene, plan, work.at("f.lumi"), stop_at(share)), Cancelled);
+        work.write("f.lumi.state2.part", "of a bake with three states");
+        PosixFile used(work.at("f.lumi.state3.part"), PosixFile::Mode::create);
+        REQUIRE(used.try_lock());
         CHECK(file_of(scene, plan, work) == once);
-        CHECK(work.file_count() == 1);
+        CHECK(work.file_count() == 2);  // the field, and what another bake uses
     }
     CHECK_THROWS_AS(bake_surface_shard(scene, plan, {1, 2}, folder.at("f.1")), BakeError);
 }
@@ -227,15 +231,15 @@ TEST_CASE("shards of a surface bake merge to the bytes of the whole", "[repeated
     const MergedField merged = merge_shards(shards, folder.at("f.lumi"));
     CHECK(merged.shards == 3);
     CHECK(read_bytes(folder.at("f.lumi")) == whole());
-}
-
-TEST_CASE("missing and damaged and foreign and unfinished surface shards are named", "[repeated]")
-{
     SurfaceSettings draft = tiny_surface();
     draft.draft = true;
     const ScratchFolder drafts;
     merge_shards(bake_shards(scene, draft, 2, drafts), drafts.at("f.lumi"));
     CHECK(read_bytes(drafts.at("f.lumi")) == baked(scene, draft));
+}
+
+TEST_CASE("missing and damaged and foreign and unfinished surface shards are named", "[repeated]")
+{
     const Scene scene = tiny_scene();
     const ScratchFolder folder;
     SurfaceSettings settings = tiny_surface();
