@@ -135,6 +135,8 @@ TEST_CASE("of a volume, bake takes a surface field where it looks solid, a chord
     const Outcome soft = plan("1.5"), smoke = plan("0.5");
     CHECK_THAT(soft.out, Catch::StartsWith("layout surface: "));
     CHECK_THAT(smoke.out, Catch::StartsWith("layout chord: ") && Catch::Contains("limit 25 %"));
+    const Outcome paced = lumi({"bake", folder / "ball.json", "--for", "rp2040@9fps", "--plan-only"});
+    check_refused(paced, 1, "planned for a size, not for a rate; give --fit, too, or --layout surface");
 }
 
 TEST_CASE("a bake counts what it warns of, the mesh's faults among it")

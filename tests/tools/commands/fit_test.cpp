@@ -48,6 +48,8 @@ TEST_CASE("a budget, a pace or a set of views that cannot be meant is refused wi
         {{"--plan", folder / "plan.json"}, "belongs to --fit"},
         {{"--for", "rp2040@30fps", "--shard", "1/2"}, "--shard does not go with --for"},
         {{"--for", "rp2040", "--plan-only"}, "belongs to --fit"},
+        {{"--for", "rp2040@9fps", "--layout", "chord", "--plan-only"}, "a chord field is planned for a size"},
+        {{"--for", "rp2040@9fps", "--layout", "chord", "--plan", folder / "plan.json"}, "--plan needs --fit"},
         {{"--ram", "40kB"}, "belongs to --fit"},
         {{"--fit", "1MB", "--ram", "much"}, "--ram takes a size below 4 GB such as 40kB"},
     };
@@ -152,17 +154,17 @@ TEST_CASE("a surface field is planned for a rate: finely drawn for a low one, el
 {
     const test::TemporaryFolder folder;
     const std::string scene = test::write_cube(folder.path());
-    const auto planned = [&](const std::string& pace) {
-        return done(lumi({"bake", scene, "-o", folder / "o.lumi", "--layout", "surface", "--fit", "15kB", "--for", pace,
-                          "--plan-only"}))
-            .out;
-    };
+    const Arguments plan = {"bake",    scene,   "-o",   folder / "o.lumi", "--layout",
+                            "surface", "--fit", "15kB", "--plan-only",     "--for"};
+    const auto planned = [&](const std::string& pace) { return done(lumi(joined(plan, {pace}))).out; };
     CHECK_THAT(planned("rp2040@1fps"), Catch::StartsWith("RP2040 at 1 frames a second: antialiased, ") &&
                                            Catch::Contains("is faster: one-sample"));
     CHECK_THAT(planned("rp2040@40fps"), Catch::StartsWith("RP2040 at 40 frames a second: one-sample, ") &&
                                             Catch::Contains("shows more: antialiased"));
     CHECK_THAT(planned("rp2040x2@10fps"),
                Catch::StartsWith("RP2040, both cores, at 10 frames a second: ") && Catch::Contains("layout surface: "));
+    CHECK_THAT(done(lumi(joined(plan, {"rp2040@1fps", "--ram", "900kB"}))).err,
+               Catch::Contains("with --ram the rate of --for is only reported, not planned for"));
 }
 
 }  // namespace lumi::tools

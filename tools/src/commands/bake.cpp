@@ -109,7 +109,9 @@ public:
         const baker::Scene scene = load_scene(options_.scene, warnings_);
         progress_.expect(scene.triangle_count(), options_.limits.bytes);
         const std::optional<baker::SurfacePlan> surface = surface_plan(scene);
+        say_unplanned();
         const baker::BakeSettings chord = surface || !options_.fit.wanted() ? options_.chord : fitted_chord();
+        if (!surface) require_planned();
         if (options_.fit.plan_only) return;
         BakeSummary summary = {options_, scene, progress_, output_.name, output_.target, output_.shard.has_value()};
         surface ? bake(*surface, summary) : bake(chord, summary);
@@ -121,6 +123,22 @@ public:
 
 private:
     template <class Work>
+    void say_unplanned() const
+    {
+        const char* option = options_.in_the_way_of_rate();
+        if (options_.layout == Layout::chord || !options_.fit.has_rate() || option == nullptr) return;
+        print(stderr,
+              "lumi: with %s the rate of --for is only reported, not planned for; leave %s out to plan for it\n",
+              option, option);
+    }
+
+    // A plan that was asked for must not stay away.
+    void require_planned() const
+    {
+        if (options_.fit.wanted() || (!options_.fit.plan_only && options_.fit.json.empty())) return;
+        throw Failure(options_.scene.path, kUnplannedChord, "give --fit, too, or --layout surface");
+    }
+
     auto in_step(BakeStep step, Work work)
     {
         try {

@@ -80,21 +80,20 @@ baker::BakeSettings chord_of(const BakeOptions& options)
     return settings;
 }
 
-bool has_rate(const FitOptions& options)
+void check_unfitted(const CLI::App& command, const BakeOptions& options)
 {
-    return std::any_of(
-        options.paces.begin(), options.paces.end(), [](const planner::Pace& pace) { return pace.is_asked; });
+    if (command.count("--ram") > 0) throw UsageError("--ram belongs to --fit");
+    for (const char* name : {"--plan-only", "--plan"}) {
+        if (command.count(name) == 0) continue;
+        if (!options.fit.has_rate()) throw UsageError(std::string(name) + " belongs to --fit");
+        if (options.layout == Layout::chord)
+            throw UsageError(std::string(name) + " needs --fit here: " + kUnplannedChord);
+    }
 }
 
 void check_fit(const CLI::App& command, const FitOptions& options)
 {
-    if (!options.wanted()) {
-        if (command.count("--ram") > 0) throw UsageError("--ram belongs to --fit");
-        for (const char* name : {"--plan-only", "--plan"})
-            if (command.count(name) > 0 && !has_rate(options))
-                throw UsageError(std::string(name) + " belongs to --fit");
-    }
-    if (command.count("--shard") > 0 && (options.wanted() || has_rate(options)))
+    if (command.count("--shard") > 0 && (options.wanted() || options.has_rate()))
         throw UsageError(std::string("--shard does not go with ") + (options.wanted() ? "--fit" : "--for and a rate") +
                          "; shard the plan it finds");
     if (options.wanted()) options.budget_bytes();
@@ -292,7 +291,21 @@ BakeOptions::BakeOptions()
 
 bool BakeOptions::is_paced() const
 {
-    return limits.chooses_triangles && limits.chooses_density && !limits.ram && has_rate(fit);
+    return fit.has_rate() && in_the_way_of_rate() == nullptr;
+}
+
+const char* BakeOptions::in_the_way_of_rate() const
+{
+    if (limits.ram) return "--ram";
+    if (surface.draft) return "--draft";
+    if (!limits.chooses_triangles) return "--triangles";
+    return limits.chooses_density ? nullptr : "--texel-density";
+}
+
+bool FitOptions::has_rate() const
+{
+    return std::any_of(
+        paces.begin(), paces.end(), [](const planner::Pace& pace) { return pace.is_asked; });
 }
 
 uint64_t FitOptions::budget_bytes() const
@@ -325,6 +338,7 @@ void resolve(const CLI::App& command, BakeOptions& options)
     options.has_origins = command.count("--origins") > 0;
     options.has_directions = command.count("--directions") > 0;
     options.has_screen = command.count("--screen") + command.count("--rows") > 0;
+    if (!options.fit.wanted()) check_unfitted(command, options);
     check_fit(command, options.fit);
     if (options.surface.draft) set_draft(command, options);
     options.limits = limits_of(command, options);

@@ -18,6 +18,8 @@ namespace lumi::tools
 enum class Layout { automatic, surface, chord };
 enum class ProgressStyle { automatic, json };
 
+inline constexpr const char* kUnplannedChord = "a chord field is planned for a size, not for a rate";
+
 // The options that let a planner choose the rest.
 struct FitOptions {
     std::string budget, ram, json;
@@ -25,6 +27,7 @@ struct FitOptions {
     bool plan_only = false;
 
     bool wanted() const { return !budget.empty(); }
+    bool has_rate() const;  // in --for
     // Throws UsageError for a text that is no size. Precondition: wanted().
     uint64_t budget_bytes() const;
     // Does the same for --ram. Precondition: it is given.
@@ -49,6 +52,8 @@ struct BakeOptions {
 
     // Whether a surface field is planned for a frame rate.
     bool is_paced() const;
+    // The option for which a rate that is asked for is not planned for; null if none is in the way.
+    const char* in_the_way_of_rate() const;
 };
 
 // Adds them; `options` must outlive the parse.
