@@ -57,11 +57,18 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
         if (pose == "0") rest = field_picture;
         CHECK((pose == "0") == (psnr_db(field_picture, rest) > 40));
     }
+    const std::string parts = R"("parts": [{"name": "a=b:needle", "turn": "x", "pivot": [0, 0, 0]}])";
+    test::write_content(folder / "gauge.json", R"({"objects": [{"obj": "gauge.obj"}], )" + parts + "}");
+    const auto traced = [&](const std::string& file, const std::string& part) {
+        return drawn({"reference", folder / file, "--up", "z", "--sky", "0.8", "--spp", "4", "--part", part},
+                     folder / "r.png");
+    };
+    CHECK(psnr_db(traced("gauge.json", "a=b:needle=30"), traced("gauge.obj", "a=b:needle:x@0,0,0=30")) > 40);
     REQUIRE(lumi({"embed", field, "-o", folder / "gauge.S"}).code == 0);
     CHECK_THAT(test::content_of(folder / "gauge.h"),
                Catch::Contains("gauge_moving_parts = 2, gauge_part_a_b_needle = 0 }"));  // with its shadow
     check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:neddle=1"},
-                  "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
+               "named 'a=b:neddle' (did you mean a=b:needle?); choose among: a=b:needle");
     check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:needle"}, "takes NAME=DEGREES");
     check_told({"render", field, "-o", folder / "n.png", "--part", "a=b:needle=0..9"}, "views of --turntable");
     const auto view = [&](const std::string& name, const test::Arguments& arguments) {
@@ -86,7 +93,7 @@ TEST_CASE("parts: words that name no part are refused with the way to write it")
     check_told(bake("a=b:needle:x@1,2"), "takes a pivot X,Y,Z");
     check_told(bake("a=b:needle:x"), "has no pivot");
     check_told(joined(joined({"bake", scene, "-o", folder / "n.lumi"}, kNeedle), {"--layout", "chord"}),
-                  "a chord field has no parts that move");
+               "a chord field has no parts that move");
     test::write_content(folder / "s.lumi", test::small_surface_bytes());
     check_told({"render", folder / "s.lumi", "-o", folder / "n.png", "--part", "a=1"}, "nothing in it moves");
 }

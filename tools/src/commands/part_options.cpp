@@ -59,6 +59,7 @@ baker::PartOptions part_of(const std::string& word, PartWords words)
                                  : "NAME=DEGREES or NAME:AXIS=DEGREES, for instance second_hand=-90";
     baker::PartOptions part;
     std::string text = word;
+    bool has_value = false;
     if (words != PartWords::motion) {
         std::string name = text;
         const auto behind = take_behind(name, '=');
@@ -67,17 +68,20 @@ baker::PartOptions part_of(const std::string& word, PartWords words)
         if (value) {
             part.value = *value;
             text = name;
+            has_value = true;
         }
     }
-    if (auto axis = take_behind(text, ':')) {
+    part.name = text;
+    if (auto axis = take_behind(part.name, ':')) {
         if (const auto pivot = take_behind(*axis, '@')) {
             part.pivot = vector_of(*pivot);
             if (!part.pivot) fail("a pivot X,Y,Z of three numbers behind @");
         }
         part.axis = axis->find(',') == std::string::npos ? baker::axis_named(*axis) : vector_of(*axis);
-        if (!part.axis) fail("an axis x, y, z, -x, -y, -z or three numbers behind the last ':'");
+        const bool is_name = has_value && !part.pivot;  // of a part that a scene file gives its axis
+        if (!part.axis && !is_name) fail("an axis x, y, z, -x, -y, -z or three numbers behind the last ':'");
+        if (!part.axis) part.name = text;
     }
-    part.name = text;
     if (part.name.empty() || (words == PartWords::motion && !part.axis)) fail(form);
     return part;
 }

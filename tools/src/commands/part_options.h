@@ -17,7 +17,7 @@ namespace lumi::tools
 enum class PartWords : uint8_t { motion, motion_and_pose };
 
 // Adds --part NAME:AXIS[@X,Y,Z], with =VALUE where a pose may be given; NAME=VALUE is one of a part that is known. Of
-// names that hold ':' or '=' the last counts.
+// names that hold ':' or '=' the last counts; where no axis lies behind that ':', it is part of the name.
 void add_part_option(CLI::App& command, std::vector<baker::PartOptions>& parts, PartWords words);
 
 // Adds --part NAME=VALUE, or NAME=FROM..TO for the views of a turntable.
