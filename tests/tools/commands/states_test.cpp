@@ -126,5 +126,6 @@ TEST_CASE("states: what has none, or cannot, says so")
     test::write_content(folder / "s.lumi", test::small_surface_bytes());
     check_told({"render", folder / "s.lumi", "-o", folder / "n.png", "--state", "a=1"}, "bake it with --state");
 }
+    check_told(joined(bake, {"base"}), "name another light by --state, too; base is the rest");
 
 }  // namespace lumi::tools

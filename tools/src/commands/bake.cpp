@@ -9,6 +9,7 @@
 #include "commands/device_figures.h"
 #include "commands/layout_trial.h"
 #include "commands/pace_plan.h"
+#include "commands/state_options.h"
 #include "files/output_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"
@@ -108,10 +109,10 @@ public:
             baker::field_file_bytes(options_.chord);  // throws before the scene is loaded
         const baker::Scene scene = load_scene(options_.scene, warnings_);
         progress_.expect(scene.triangle_count(), options_.limits.bytes);
-        const std::optional<baker::SurfacePlan> surface = surface_plan(scene);
         say_unplanned();
-        const baker::BakeSettings chord = surface || !options_.fit.wanted() ? options_.chord : fitted_chord();
+        const std::optional<baker::SurfacePlan> surface = surface_plan(scene);
         if (!surface) require_planned();
+        const baker::BakeSettings chord = surface || !options_.fit.wanted() ? options_.chord : fitted_chord();
         if (options_.fit.plan_only) return;
         BakeSummary summary = {options_, scene, progress_, output_.name, output_.target, output_.shard.has_value()};
         surface ? bake(*surface, summary) : bake(chord, summary);
@@ -122,7 +123,6 @@ public:
     }
 
 private:
-    template <class Work>
     void say_unplanned() const
     {
         const char* option = options_.in_the_way_of_rate();
@@ -139,6 +139,7 @@ private:
         throw Failure(options_.scene.path, kUnplannedChord, "give --fit, too, or --layout surface");
     }
 
+    template <class Work>
     auto in_step(BakeStep step, Work work)
     {
         try {
@@ -155,6 +156,7 @@ private:
         if (options_.layout == Layout::chord && has_parts)
             throw Failure(options_.scene.path, "a chord field has no parts that move",
                           "bake a surface field (--layout surface), or leave out the parts");
+        require_other_light(scene, options_.scene.path);
         const bool has_states = !scene.light_states().empty();
         if (options_.layout == Layout::chord && has_states)
             throw Failure(options_.scene.path, "a chord field has no light states",

@@ -127,3 +127,10 @@ std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states,
 }
 
 }  // namespace lumi::tools
+void require_other_light(const baker::Scene& scene, const std::string& file)
+{
+    if (scene.light_states().size() == 1)
+        throw Failure(file, "the light state 'base' alone is all of the light",
+                      "name another light by --state, too; base is the rest");
+}
+

@@ -28,4 +28,7 @@ void add_unnamed(const FieldFile& field, std::vector<baker::StateOption>& states
 // The weights of a field's own states. Throws Failure where it has no state of a name.
 std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field);
 
+// Throws Failure where a scene of that file is to be baked with the light state base alone.
+void require_other_light(const baker::Scene& scene, const std::string& file);
+
 }  // namespace lumi::tools
