@@ -61,6 +61,7 @@ TEST_CASE("states: a field shows the light that the reference of the scene has, 
     }
     check_told({"render", field, "-o", folder / "n.png", "--state", "pannel=1"},
                "named 'pannel' (did you mean panel?); choose among: base, panel");
+    check_told({"render", field, "-o", folder / "n.png", "--tint", "panel=1"}, "write --state panel=WEIGHT");
     for (const std::string word : {"panel", "panel=2", "panel=1,2", "=1", "panel=-1", "panel="})
         check_told({"render", field, "-o", folder / "n.png", "--state", word}, "takes NAME=WEIGHT");
 }
@@ -111,6 +112,8 @@ TEST_CASE("states: a tint shows the model's colour until another is chosen, and 
     check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "gray"}, "did you mean grey?");
     check_told({"bake", scene, "-o", folder / "n.lumi", "--tint", "grey", "--state", "panel"}, "light states or tints");
     check_told({"reference", scene, "-o", folder / "n.png", "--tint", "grey=2"}, "takes NAME=COLOUR");
+    check_told({"render", field, "-o", folder / "n.png", "--state", "grey=0.5"}, "write --tint grey=COLOUR");
+    check_told({"render", field, "-o", folder / "n.png", "--tint", "gray=0.5"}, "choose among: grey");
     REQUIRE(lumi({"inspect", field}).code == 0);
     CHECK_THAT(lumi({"inspect", field}).out, Catch::Contains("tint          grey"));
 }
@@ -123,9 +126,9 @@ TEST_CASE("states: what has none, or cannot, says so")
     check_told(joined(bake, {"lamp"}), "choose among: sky, panel");
     check_told(joined(bake, {"panel", "--layout", "chord"}), "a chord field has no light states");
     check_told(joined(bake, {"panel", "--shard", "1/2"}), "is baked whole");
+    check_told(joined(bake, {"base"}), "name another light by --state, too; base is the rest");
     test::write_content(folder / "s.lumi", test::small_surface_bytes());
     check_told({"render", folder / "s.lumi", "-o", folder / "n.png", "--state", "a=1"}, "bake it with --state");
 }
-    check_told(joined(bake, {"base"}), "name another light by --state, too; base is the rest");
 
 }  // namespace lumi::tools

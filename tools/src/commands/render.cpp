@@ -54,7 +54,7 @@ Drawer surface_drawer(const RenderOptions& options, const FieldFile& file)
     const SurfaceMode mode = mode_of(options, kSurfaceModes, SurfaceMode::two_by_two, "surface");
     const DisplayFormat display = options.drawing.display;
     values_of(options.parts, file);  // refuses wrong names before the first view
-    const std::vector<StateValue> states = values_of(options.states, file);
+    const std::vector<StateValue> states = values_of(options.states, options.base_colours, file);
     return [&file, mode, display, states, poses = options.parts](const Eye& eye, const Rgb8& background) {
         return draw_surface(file.surface(), eye, {mode, display, background, values_of(poses, file, eye.done), states});
     };
@@ -73,6 +73,7 @@ Drawer chord_drawer(const RenderOptions& options, const FieldFile& file)
 {
     if (!options.parts.empty()) refuse(options, "--part", "surface");
     if (!options.states.empty()) refuse(options, "--state", "surface");
+    if (!options.base_colours.empty()) refuse(options, "--tint", "surface");
     DrawSettings drawing = options.drawing;
     drawing.mode = mode_of(options, kChordModes, Mode::linear, "chord");
     if (drawing.mode == Mode::paper && drawing.span_px > 1)
@@ -158,7 +159,7 @@ void add_render(CLI::App& lumi)
     add_drawing_options(*command, *options);
     add_pose_option(*command, options->parts);
     add_state_option(*command, options->states, StateWords::weights);
-    add_colour_option(*command, options->states);
+    add_colour_option(*command, options->base_colours);
     Stages stages;
     for (const Plugin& plugin : plugins()) {
         stages.push_back(plugin.make_stage());

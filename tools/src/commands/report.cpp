@@ -98,9 +98,7 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     for (const auto& field : fields) {
         if (!options.fields.empty()) {
             by.way.surface.parts = values_of(posed(options.scene.parts), *field);
-            by.way.surface.states = values_of(options.scene.states, *field);
-            for (const StateValue& colour : values_of(options.scene.base_colours, *field))
-                by.way.surface.states.push_back(colour);
+            by.way.surface.states = values_of(options.scene.states, options.scene.base_colours, *field);
         }
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))

@@ -85,6 +85,13 @@ void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colou
 namespace
 {
 
+// What a firmware chooses the weights of.
+struct Kind {
+    bool is_tint;
+    const char *title, *option, *value;
+};
+constexpr Kind kLight = {false, "light state", "--state", "WEIGHT"}, kTint = {true, "tint", "--tint", "COLOUR"};
+
 std::vector<std::string> names_of(const FieldFile& field)
 {
     std::vector<std::string> names;
@@ -93,6 +100,34 @@ std::vector<std::string> names_of(const FieldFile& field)
         names.emplace_back(name.text, name.bytes);
     }
     return names;
+}
+
+[[noreturn]] void fail_unknown(const std::string& name, const Kind& kind, const FieldFile& field)
+{
+    const std::vector<std::string> all = names_of(field);
+    std::vector<std::string> names;
+    std::string list;
+    for (uint32_t k = 0; k < all.size(); ++k) {
+        if (is_tint(field.surface(), k) != kind.is_tint) continue;
+        names.push_back(all[k]);
+        list += (list.empty() ? "" : ", ") + all[k];
+    }
+    throw Failure(field.path(),
+                  std::string("no ") + kind.title + " of it is named '" + name + "'" + host::meant(name, names),
+                  names.empty() ? std::string("it has none; bake it with ") + kind.option : "choose among: " + list);
+}
+
+uint32_t number_of(const std::string& name, const Kind& kind, const FieldFile& field)
+{
+    const std::vector<std::string> names = names_of(field);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) fail_unknown(name, kind, field);
+    const auto number = static_cast<uint32_t>(found - names.begin());
+    const Kind& own = is_tint(field.surface(), number) ? kTint : kLight;
+    if (own.is_tint != kind.is_tint)
+        throw Failure(field.path(), "'" + name + "' is a " + own.title + " of it, not a " + kind.title,
+                      std::string("write ") + own.option + " " + name + "=" + own.value);
+    return number;
 }
 
 }  // namespace
@@ -107,26 +142,20 @@ void add_unnamed(const FieldFile& field, std::vector<baker::StateOption>& states
     }
 }
 
-std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field)
+std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states,
+                                  const std::vector<baker::StateOption>& colours, const FieldFile& field)
 {
-    const std::vector<std::string> names = names_of(field);
     std::vector<StateValue> values;
-    for (const baker::StateOption& state : states) {
-        const auto found = std::find(names.begin(), names.end(), state.name);
-        if (found == names.end()) {
-            std::string list;
-            for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-            throw Failure(field.path(),
-                          "no light state of it is named '" + state.name + "'" + host::meant(state.name, names),
-                          names.empty() ? "it has none; bake it with --state" : "choose among: " + list);
-        }
-        values.push_back({static_cast<uint32_t>(found - names.begin()),
-                          {q12_of(state.weight[0]), q12_of(state.weight[1]), q12_of(state.weight[2])}});
-    }
+    const auto add = [&](const std::vector<baker::StateOption>& options, const Kind& kind) {
+        for (const baker::StateOption& option : options)
+            values.push_back({number_of(option.name, kind, field),
+                              {q12_of(option.weight[0]), q12_of(option.weight[1]), q12_of(option.weight[2])}});
+    };
+    add(states, kLight);
+    add(colours, kTint);
     return values;
 }
 
-}  // namespace lumi::tools
 void require_other_light(const baker::Scene& scene, const std::string& file)
 {
     if (scene.light_states().size() == 1)
@@ -134,3 +163,4 @@ void require_other_light(const baker::Scene& scene, const std::string& file)
                       "name another light by --state, too; base is the rest");
 }
 
+}  // namespace lumi::tools

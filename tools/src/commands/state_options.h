@@ -25,8 +25,9 @@ void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colou
 // Adds the light states of a field that are not among them: they are on.
 void add_unnamed(const FieldFile& field, std::vector<baker::StateOption>& states);
 
-// The weights of a field's own states. Throws Failure where it has no state of a name.
-std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states, const FieldFile& field);
+// The weights of a field's own light states, and the colours of its tints. Throws Failure where it has none of a name.
+std::vector<StateValue> values_of(const std::vector<baker::StateOption>& states,
+                                  const std::vector<baker::StateOption>& colours, const FieldFile& field);
 
 // Throws Failure where a scene of that file is to be baked with the light state base alone.
 void require_other_light(const baker::Scene& scene, const std::string& file);

@@ -22,7 +22,7 @@ struct RenderOptions {
     std::string mode = "best";
     DrawSettings drawing;  // its mode is that of a chord field
     std::vector<PartPose> parts;
-    std::vector<baker::StateOption> states;
+    std::vector<baker::StateOption> states, base_colours;  // of light states, and of tints
 };
 
 // Changes pictures after they are drawn, where its options ask for it.
