@@ -42,6 +42,10 @@ TEST_CASE("report measures a field and writes page and JSON")
                                   "--cache", folder / "cache", "-o",  folder / "r.html"};
     const test::Outcome outcome = done(test::lumi(call));
     CHECK_THAT(outcome.out, Catch::Contains("frames a second"));
+    CHECK_THAT(outcome.err, !Catch::Contains("its sphere"));
+    test::Arguments other = call;
+    other[1] = test::write_cube(folder.path());
+    CHECK_THAT(done(test::lumi(other)).err, Catch::Contains("its sphere is not that of " + other[1]));
     test::Arguments for_machines = call;
     for_machines.push_back("--json");
     const auto report = nlohmann::json::parse(test::lumi(for_machines).out);

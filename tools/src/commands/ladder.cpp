@@ -8,6 +8,7 @@
 #include "../planner/chord_plan.h"
 #include "commands/bake_summary.h"
 #include "files/field_file.h"
+#include "commands/scene_options.h"
 #include "lumi/baker/surface.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -42,9 +43,7 @@ bool is_kept(const std::string& path, const Rung& rung, const baker::Scene& scen
     try {
         const FieldFile file(path, FieldFile::Role::own_output);
         file.require_intact();
-        const FieldSphere sphere = file.sphere();
-        return file.is_surface() == rung.is_surface && file.size() <= rung.bytes && sphere.centre == scene.centre() &&
-               sphere.radius == scene.radius();
+        return file.is_surface() == rung.is_surface && file.size() <= rung.bytes && has_sphere_of(file, scene);
     } catch (const Failure&) {
         return false;
     }

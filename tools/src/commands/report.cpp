@@ -134,6 +134,16 @@ Ladder ladder_of(const ReportOptions& options, const baker::Scene& scene)
     return baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads});
 }
 
+void warn_of_spheres(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
+{
+    for (const auto& field : fields)
+        if (!has_sphere_of(*field, scene))
+            print(stderr,
+                  "lumi: warning: %s: its sphere is not that of %s; name the scene of its bake, and the same --frame, "
+                  "--animation, --iso and --part\n",
+                  field->path().c_str(), options.scene.path.c_str());
+}
+
 void run(ReportOptions& options)
 {
     announce_outputs({options.output});
@@ -143,6 +153,7 @@ void run(ReportOptions& options)
         for (const auto& field : fields) add_unnamed(*field, options.scene.states);
     size_t warnings = 0;
     const baker::Scene scene = load_scene(options.scene, warnings);
+    warn_of_spheres(options, scene, fields);
     Ladder ladder;
     if (fields.empty()) {
         ladder = ladder_of(options, scene);

@@ -171,4 +171,10 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     return scene;
 }
 
+bool has_sphere_of(const FieldFile& field, const baker::Scene& scene)
+{
+    const FieldSphere sphere = field.sphere();
+    return sphere.centre == scene.centre() && sphere.radius == scene.radius();
+}
+
 }  // namespace lumi::tools

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "files/field_file.h"
 #include "lumi/baker/scene.h"
 
 namespace lumi::tools
@@ -39,5 +40,8 @@ void add_thread_option(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.
 baker::Scene load_scene(const SceneOptions& options, size_t& warnings);
+
+// Whether the field is one of the scene, as far as its sphere tells.
+bool has_sphere_of(const FieldFile& field, const baker::Scene& scene);
 
 }  // namespace lumi::tools
