@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Parts that move, through the program.
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "image/picture_file.h"
 #include "metrics/psnr.h"
@@ -38,6 +40,25 @@ Picture drawn(const test::Arguments& arguments, const std::string& output)
     return read_png(output);
 }
 
+// The report of the gauge without fields, of which an earlier call has baked `field`.
+nlohmann::json ladder_report(const test::TemporaryFolder& folder, const std::string& field)
+{
+    const std::string cache = folder / "cache", part = "a=b:needle:x@0,0,0";
+    const test::Arguments report = {"report",  folder / "gauge.obj",
+                                    "--up",    "z",
+                                    "--sky",   "0.8",
+                                    "--quick", "--json",
+                                    "--count", "1",
+                                    "--spp",   "4",
+                                    "--size",  "48",
+                                    "--cache", cache};
+    done(lumi(joined(report, {field, "--part", part})));
+    const std::filesystem::path kept = *std::filesystem::directory_iterator(cache);
+    for (const std::string size : {"120kB", "250kB", "500kB"})
+        std::filesystem::copy(field, kept / ("surface-" + size + "-12paths.lumi"));
+    return nlohmann::json::parse(done(lumi(joined(report, {"--for", "rp2040", "--part", part + "=90"}))).out);
+}
+
 }  // namespace
 
 TEST_CASE("parts: a field shows the pose that the reference of the scene has, whatever its name holds")
@@ -64,6 +85,11 @@ TEST_CASE("parts: a field shows the pose that the reference of the scene has, wh
                      folder / "r.png");
     };
     CHECK(psnr_db(traced("gauge.json", "a=b:needle=30"), traced("gauge.obj", "a=b:needle:x@0,0,0=30")) > 40);
+    const nlohmann::json report = ladder_report(folder, field);
+    REQUIRE(report["fields"].size() == 3);
+    CHECK(report["fields"][0]["psnr_db"].get<double>() > 24);
+    CHECK_THAT(report["trade"]["parts"][0]["commands"][0].get<std::string>(),
+               Catch::Contains(" --up z --sky 0.8 --part a=b:needle:x@0,0,0 --layout surface --fit "));
     REQUIRE(lumi({"embed", field, "-o", folder / "gauge.S"}).code == 0);
     CHECK_THAT(test::content_of(folder / "gauge.h"),
                Catch::Contains("gauge_moving_parts = 2, gauge_part_a_b_needle = 0 }"));  // with its shadow

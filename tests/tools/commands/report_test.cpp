@@ -142,12 +142,14 @@ TEST_CASE("report --for without fields takes of its ladder what an earlier call 
     test::write_content(kept / "surface-250kB-12paths.lumi", foreign);
     std::filesystem::copy(fields.surface, kept / "surface-500kB-12paths.lumi");
     std::filesystem::copy(fields.chord, kept / "chord-1MB-4paths.lumi");
-    const test::Outcome outcome = done(test::lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1",
-                                                   "--for", "rp2040", "--json", "--cache", cache.string()}));
+    const test::Outcome outcome =
+        done(test::lumi({"report", fields.scene, "--quick", "--count", "1", "--spp", "1", "--for", "rp2040", "--json",
+                         "--cache", cache.string(), "--up", "y"}));
     const auto report = nlohmann::json::parse(outcome.out);
     CHECK(report["fields"].size() == 4);
     const std::string command = report["trade"]["parts"][0]["commands"][0];
-    CHECK_THAT(command, Catch::StartsWith("lumi bake ") && Catch::Contains(" --fit "));
+    CHECK_THAT(command,
+               Catch::StartsWith("lumi bake ") && Catch::Contains(" --up y --layout ") && Catch::Contains(" --fit "));
     CHECK((test::content_of(kept / "surface-120kB-12paths.lumi") == test::content_of(fields.surface)));
     CHECK((test::content_of(kept / "surface-250kB-12paths.lumi") != foreign));
     CHECK((test::content_of(kept / "chord-1MB-4paths.lumi") == foreign));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "commands/ladder.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <utility>
 
 #include "../planner/chord_plan.h"
 #include "commands/bake_summary.h"
-#include "files/field_file.h"
 #include "commands/scene_options.h"
+#include "files/field_file.h"
 #include "lumi/baker/surface.h"
 #include "terminal/failure.h"
 #include "terminal/text.h"
@@ -65,7 +66,7 @@ public:
             !(rung.is_surface ? bakes_surface(rung, count, file, step) : bakes_chord(rung, count, file, step)))
             return;
         ladder_.fields.push_back(file);
-        ladder_.bakes[file] = std::string("--layout ") + layout + " --fit " + rung.size;
+        ladder_.bakes[file] = settings_.scene_words + "--layout " + layout + " --fit " + rung.size;
     }
 
     Ladder taken() { return std::move(ladder_); }
@@ -122,13 +123,21 @@ private:
     Ladder ladder_;
 };
 
+std::vector<Rung> rungs_of(const baker::Scene& scene, bool is_quick)
+{
+    std::vector<Rung> rungs = is_quick ? std::vector<Rung>(std::begin(kQuickRungs), std::end(kQuickRungs))
+                                       : std::vector<Rung>(std::begin(kRungs), std::end(kRungs));
+    const auto is_chord = [](const Rung& rung) { return !rung.is_surface; };
+    if (!scene.moving_parts().empty() || !scene.light_states().empty())
+        rungs.erase(std::remove_if(rungs.begin(), rungs.end(), is_chord), rungs.end());
+    return rungs;
+}
+
 }  // namespace
 
 Ladder baked_ladder(const baker::Scene& scene, const LadderSettings& settings)
 {
-    const std::vector<Rung> rungs = settings.is_quick
-                                        ? std::vector<Rung>(std::begin(kQuickRungs), std::end(kQuickRungs))
-                                        : std::vector<Rung>(std::begin(kRungs), std::end(kRungs));
+    const std::vector<Rung> rungs = rungs_of(scene, settings.is_quick);
     std::error_code ignored;  // the bake tells it where that fails
     std::filesystem::create_directories(settings.folder, ignored);
     LadderBake bake(scene, settings);

@@ -15,6 +15,7 @@ struct LadderSettings {
     std::string folder;     // holds the fields; what is there already is not baked again
     bool is_quick = false;  // fewer sizes, and few light paths: pictures are noisier than those of a bake by default
     unsigned threads = 0;
+    std::string scene_words;  // by which `lumi bake` reads the scene so (scene_words.h)
 };
 
 struct Ladder {
@@ -23,7 +24,8 @@ struct Ladder {
 };
 
 // Surface fields of 60, 120, 250 and 500 kB, without those that the scene cannot have, and chord fields of 0.25, 1 and
-// 4 MB. Progress goes to stderr. Throws Interrupted; the next call goes on from there.
+// 4 MB, unless parts of the scene move or its light has states, which these do not show. Progress goes to stderr.
+// Throws Interrupted; the next call goes on from there.
 Ladder baked_ladder(const baker::Scene& scene, const LadderSettings& settings);
 
 }  // namespace lumi::tools

@@ -15,6 +15,7 @@
 #include "commands/ladder.h"
 #include "commands/part_options.h"
 #include "commands/scene_options.h"
+#include "commands/scene_words.h"
 #include "commands/state_options.h"
 #include "files/output_file.h"
 #include "program/option_checks.h"
@@ -30,6 +31,7 @@ namespace
 
 struct ReportOptions {
     SceneOptions scene;
+    std::string words;  // by which `lumi bake` reads the scene
     std::vector<std::string> fields;
     std::string output, cache;
     bool json = false, is_quick = false;
@@ -96,10 +98,8 @@ quality::ReportData report_of(const ReportOptions& options, const baker::Scene& 
     quality::Yardstick by = {report.views, report.references, way_of(options)};
     const Waiting waiting("measuring fields");
     for (const auto& field : fields) {
-        if (!options.fields.empty()) {
-            by.way.surface.parts = values_of(posed(options.scene.parts), *field);
-            by.way.surface.states = values_of(options.scene.states, options.scene.base_colours, *field);
-        }
+        by.way.surface.parts = values_of(posed(options.scene.parts), *field);
+        by.way.surface.states = values_of(options.scene.states, options.scene.base_colours, *field);
         report.fields.push_back(quality::measured_field(*field, by));
         for (auto& variant : quality::measured_variants(*field, modes_of(options), by))
             report.variants.push_back(std::move(variant));
@@ -130,8 +130,20 @@ void tell_trade(const ReportOptions& options, const quality::ReportData& report,
 
 Ladder ladder_of(const ReportOptions& options, const baker::Scene& scene)
 {
+    require_other_light(scene, options.scene.path);
     const std::filesystem::path folder = std::filesystem::path(options.cache) / quality::cache_key(scene);
-    return baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads});
+    Ladder ladder = baked_ladder(scene, {folder.string(), options.is_quick, options.scene.threads, options.words});
+    if (ladder.fields.empty())
+        throw Failure(options.scene.path, "no surface field of up to 500 kB suits it",
+                      "bake a larger one, and name it");
+    return ladder;
+}
+
+// The fields of all poses, weights and base colours are the same.
+Ladder ladder_of_choices(const ReportOptions& options)
+{
+    std::vector<std::string> told_already;
+    return ladder_of(options, load_scene(without_choices(options.scene), told_already));
 }
 
 void warn_of_spheres(const ReportOptions& options, const baker::Scene& scene, const trade::Files& fields)
@@ -156,7 +168,7 @@ void run(ReportOptions& options)
     warn_of_spheres(options, scene, fields);
     Ladder ladder;
     if (fields.empty()) {
-        ladder = ladder_of(options, scene);
+        ladder = has_choices(options.scene) ? ladder_of_choices(options) : ladder_of(options, scene);
         fields = open_all(ladder.fields, FieldFile::Role::own_output);
     }
     const quality::ReportData report = report_of(options, scene, fields);
@@ -241,6 +253,7 @@ void add_report(CLI::App& lumi)
         if (options->fields.empty() && options->paces.empty())
             throw UsageError("report takes fields, or --for with parts such as rp2040 to bake some");
         if (options->is_quick) make_quick(*command, *options);
+        options->words = scene_words(*command, options->scene);
         run(*options);
     });
 }

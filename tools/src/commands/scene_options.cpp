@@ -144,9 +144,8 @@ void add_thread_option(CLI::App& command, SceneOptions& options)
         ->type_name("T");
 }
 
-baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
+baker::Scene load_scene(const SceneOptions& options, std::vector<std::string>& warnings)
 {
-    std::vector<std::string> lines;
     baker::LoadOptions load;
     load.up = options.up;
     load.exposure_stops = options.exposure_stops;
@@ -161,10 +160,15 @@ baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
     if (options.iso) load.iso = baker::IsoSurface{*options.iso, options.pieces};
     load.solid_volume = options.solid_volume;
     const LeaveAtOnce loading;
-    std::optional<Waiting> waiting(std::in_place, "loading the scene");
-    if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, lines);
-    baker::Scene scene = baker::load_scene(options.path, load, lines);
-    waiting.reset();
+    const Waiting waiting("loading the scene");
+    if (!options.sky_picture.empty()) load.environment = baker::picture_environment(options.sky_picture, warnings);
+    return baker::load_scene(options.path, load, warnings);
+}
+
+baker::Scene load_scene(const SceneOptions& options, size_t& warnings)
+{
+    std::vector<std::string> lines;
+    baker::Scene scene = load_scene(options, lines);
     for (const std::string& line : lines) print(stderr, "lumi: warning: %s\n", line.c_str());
     for (const std::string& note : scene.notes()) print(stderr, "lumi: %s\n", note.c_str());
     warnings = lines.size();

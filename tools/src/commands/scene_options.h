@@ -40,6 +40,8 @@ void add_thread_option(CLI::App& command, SceneOptions& options);
 
 // Loads the scene with the sphere that every subcommand fits alike; prints warnings to stderr and counts them.
 baker::Scene load_scene(const SceneOptions& options, size_t& warnings);
+// Does so without a word; appends the warnings.
+baker::Scene load_scene(const SceneOptions& options, std::vector<std::string>& warnings);
 
 // Whether the field is one of the scene, as far as its sphere tells.
 bool has_sphere_of(const FieldFile& field, const baker::Scene& scene);
