@@ -51,6 +51,7 @@ set(LUMI_PLAIN_FILES
   core/surface/surface_twin_test.cpp
   baker/math/
   baker/material/
+  baker/fit/gloss_test.cpp
   baker/light/fixtures_test.cpp
   baker/light/light_test.cpp
   baker/trace/agreement_test.cpp

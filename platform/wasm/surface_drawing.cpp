@@ -16,7 +16,7 @@ constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 // <lumi-view> has no call that weighs light states, and is small.
 #ifdef LUMI_VIEW_ELEMENT
 constexpr SurfaceFeatures kFeatures =
-    SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts;
+    SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts | SurfaceFeatures::gloss;
 #else
 constexpr SurfaceFeatures kFeatures = SurfaceFeatures::all;
 #endif
@@ -87,8 +87,7 @@ uint32_t drawing_bytes(int32_t width_px, int32_t height_px)
 
 uint32_t device_bytes(const host::ScreenSize& screen, uint32_t mode, DisplayFormat format)
 {
-    const host::SurfaceCounts counts = {field.vertex_count,      field.patch_count, static_cast<SurfaceMode>(mode),
-                                        field.see_through_count, field.part_count,  field.state_count};
+    const host::SurfaceCounts counts = host::counts_of(field, static_cast<SurfaceMode>(mode));
     return with_pixel(format, [&](auto pixel) { return host::surface_view_bytes<decltype(pixel)>(counts, screen); });
 }
 

@@ -29,6 +29,7 @@ set(LUMI_CORE_TEST_SOURCES
   chord/stepping/lattice_line_test.cpp
   surface/coverage_test.cpp
   surface/extreme_surface_test.cpp
+  surface/gloss_test.cpp
   surface/halves_test.cpp
   surface/halves_threads_test.cpp
   surface/part_records_test.cpp

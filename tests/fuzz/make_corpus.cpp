@@ -11,6 +11,7 @@
 
 #include "chord/extreme_chords.h"
 #include "surface/extreme_surfaces.h"
+#include "surface/gloss_bytes.h"
 
 namespace
 {
@@ -87,6 +88,8 @@ void write_fields(const std::filesystem::path& folder)
     few.code_bits = 2;
     write_seeds(folder, "states",
                 test::lit_file(test::mover(few, {turns(UINT32_MAX)}), {{"base"}, {"lamp", 30}, {"x"}}));
+    few.viewed = static_cast<uint32_t>(few.vertices.size());
+    write_seeds(folder, "gloss", test::glossy_file(few, test::any_gloss(few)));
     write_seeds(folder, "sheet", test::surface_file(test::wavy_sheet()));
     write_extremes(folder);
 }

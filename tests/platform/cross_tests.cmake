@@ -24,6 +24,8 @@ set(lumi_see_through_symbols ".*([Ss]ee_?[Tt]hrough|blend_(565|packed)).*")
 set(lumi_part_symbols ".*(MovingPieces|begin_moving|put_parts|read_parts|rest_parts|part_motion|turn_part|slide_part|changed_rects|of_body).*")
 # No program that weighs no lights holds these.
 set(lumi_state_symbols ".*(put_states|read_states|set_state|state_name|light_by_states).*")
+# No program whose fields have no gloss maps holds these.
+set(lumi_gloss_symbols ".*(GlossPieces|put_gloss|read_gloss|gloss_rows|glossy).*")
 # No program whose fields have no view tables holds these.
 set(lumi_view_table_symbols ".*(lit_colour|view_taps|view_frame).*")
 # No program in C that opens, looks and draws surface fields over black holds these: other calls of lumi.h, what they
@@ -117,20 +119,20 @@ foreach(cpu IN LISTS lumi_cpus)
   add_test(NAME ${cpu}.chord_firmware_links_no_surface
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_firmware}/lumi_demo_firmware.elf
       -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-  add_test(NAME ${cpu}.plain_firmware_links_no_glass_parts_or_states
+  add_test(NAME ${cpu}.plain_firmware_links_no_feature
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm}
       -D FILES=${lumi_firmware}/lumi_frame_crcs_firmware.elf
-      -D "FORBIDDEN=${lumi_see_through_symbols};${lumi_part_symbols};${lumi_state_symbols}"
+      -D "FORBIDDEN=${lumi_see_through_symbols};${lumi_part_symbols};${lumi_state_symbols};${lumi_gloss_symbols}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   add_test(NAME ${cpu}.c_firmware_links_what_it_calls
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_three_calls.elf
-      -D "FORBIDDEN=${lumi_other_calls};${lumi_see_through_symbols};${lumi_part_symbols};${lumi_state_symbols};${lumi_chord_symbols}"
+      -D "FORBIDDEN=${lumi_other_calls};${lumi_see_through_symbols};${lumi_part_symbols};${lumi_state_symbols};${lumi_gloss_symbols};${lumi_chord_symbols}"
       -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   add_test(NAME ${cpu}.plain_firmware_links_no_view_tables
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_plain_view.elf
       -D "FORBIDDEN=${lumi_view_table_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   list(APPEND lumi_cpu_tests ${cpu}.c_firmware_links_what_it_calls ${cpu}.plain_firmware_links_no_view_tables)
-  list(APPEND lumi_cpu_tests ${cpu}.plain_firmware_links_no_glass_parts_or_states ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
+  list(APPEND lumi_cpu_tests ${cpu}.plain_firmware_links_no_feature ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
     ${cpu}.chord_firmware_links_no_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
@@ -204,7 +206,11 @@ add_test(NAME proof.finds_states
   COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
     -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/core/liblumi_core.a
     -D "FORBIDDEN=${lumi_state_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
-list(APPEND lumi_proof_tests proof.finds_view_tables proof.finds_moving_parts proof.finds_states)
+add_test(NAME proof.finds_gloss
+  COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON
+    -D FILES=${PROJECT_BINARY_DIR}/cross/cortex-m0plus/core/liblumi_core.a
+    -D "FORBIDDEN=${lumi_gloss_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+list(APPEND lumi_proof_tests proof.finds_view_tables proof.finds_moving_parts proof.finds_states proof.finds_gloss)
 foreach(what other_calls chord_symbols)
   add_test(NAME proof.finds_${what}
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D EXPECT_VIOLATION=ON

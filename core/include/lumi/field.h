@@ -50,6 +50,8 @@ enum class [[nodiscard]] FieldError : uint8_t{
     parts,            // open_surface only: moving parts, which its SurfaceFeatures do not name
     bad_parts,        // the wrong size, a number out of range, or a patch that shares vertices with another part
     bad_states,       // the section of light states has the wrong size, no name, or a number out of range
+    gloss,            // open_surface only: gloss maps, which its SurfaceFeatures do not name
+    bad_gloss,  // the wrong size, a number out of range, a patch without view tables, or parts or states beside it
 };
 
 // Returns one short English phrase per error, for logs. Linked only if called.

@@ -76,6 +76,8 @@ inline constexpr uint32_t kSeeThroughSection = four_cc('S', 'S', 'E', 'E');
 inline constexpr uint32_t kPartsSection = four_cc('S', 'P', 'R', 'T');
 // Where lights have weights that a device chooses, optional: states_bytes().
 inline constexpr uint32_t kStateSection = four_cc('S', 'S', 'T', 'A');
+// Where smooth surfaces mirror what is around them, required: gloss_bytes().
+inline constexpr uint32_t kGlossSection = four_cc('S', 'G', 'L', 'O');
 // Optional, four zeros: the field is a first look, coarse and of few light paths.
 inline constexpr uint32_t kDraftSection = four_cc('D', 'R', 'F', 'T');
 

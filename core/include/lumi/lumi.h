@@ -16,6 +16,7 @@
  *     LUMI_C_SEE_THROUGH  the same, and they may have see-through parts
  *     LUMI_C_PARTS        the same, and they may have moving parts
  *     LUMI_C_STATES       the same, and lights of theirs may be weighed
+ *     LUMI_C_GLOSS        the same, and they may have gloss maps
  *
  * Where both kinds of fields are drawn, each view takes that of its field. Calls that a program does not make are not
  * linked (-ffunction-sections and --gc-sections).
@@ -105,6 +106,9 @@ typedef struct lumi_view lumi_view;
 #define LUMI_PARTS_MEMORY(parts) (160 * (size_t)(parts))
 /* To be added for a field with light states. */
 #define LUMI_STATES_MEMORY(see_through_patches) ((see_through_patches) != 0 ? 2344 : 800)
+
+/* To be added for a field with gloss maps, of whose vertices so many have view tables. */
+#define LUMI_GLOSS_MEMORY(maps, viewed) (3328 * (size_t)(maps) + 2 * (size_t)(viewed) + 8)
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);

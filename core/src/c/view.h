@@ -8,7 +8,7 @@
 #include "types.h"
 
 #if defined(LUMI_C_SURFACE) || defined(LUMI_C_SEE_THROUGH) || defined(LUMI_C_PARTS) || defined(LUMI_C_STATES) || \
-    !defined(LUMI_C_TEXEL)
+    defined(LUMI_C_GLOSS) || !defined(LUMI_C_TEXEL)
 #define LUMI_C_DRAWS_SURFACES
 #include "surface_drawing.h"
 #endif
@@ -120,8 +120,13 @@ inline constexpr SurfaceFeatures kStates = SurfaceFeatures::states;
 #elif defined(LUMI_C_DRAWS_SURFACES)
 inline constexpr SurfaceFeatures kStates = SurfaceFeatures::none;
 #endif
+#ifdef LUMI_C_GLOSS
+inline constexpr SurfaceFeatures kGloss = SurfaceFeatures::gloss;
+#elif defined(LUMI_C_DRAWS_SURFACES)
+inline constexpr SurfaceFeatures kGloss = SurfaceFeatures::none;
+#endif
 #ifdef LUMI_C_DRAWS_SURFACES
-using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | kSeeThrough | kParts | kStates>;
+using Surfaces = SurfaceDrawingInC<Pixel, SurfaceFeatures::view_tables | kSeeThrough | kParts | kStates | kGloss>;
 #endif
 #ifdef LUMI_C_TEXEL
 using Chords = ChordDrawingInC<Pixel, LUMI_C_TEXEL>;

@@ -108,6 +108,10 @@ const char* describe(FieldError error)
             return "the section of moving parts is malformed, or parts share vertices";
         case FieldError::bad_states:
             return "the section of light states is malformed";
+        case FieldError::gloss:
+            return "the field has gloss maps (section SGLO), which this reader does not draw";
+        case FieldError::bad_gloss:
+            return "the section of gloss maps is malformed";
     }
     return "unknown error";
 }

@@ -13,17 +13,26 @@ using namespace detail::container;
 
 constexpr int32_t kOneQ14 = 1 << 14;
 
-// All but the first and the last may be in fields of every kind.
-constexpr uint32_t kSurfaceSections[] = {kSeeThroughSection, kSurfaceSection,   kVertexSection,
-                                         kPatchSection,      kColourSection,    kPaletteRgb,
-                                         kViewSection,       kNeighbourSection, kPartsSection};
+// Those from the eighth on are known where features name them.
+struct SurfaceSections {
+    uint32_t types[10] = {kSurfaceSection, kVertexSection, kPatchSection,    kColourSection,
+                          kPaletteRgb,     kViewSection,   kNeighbourSection};
+    uint32_t count = 7;
 
-KnownTypes known_sections(SurfaceFeatures features)
-{
-    const uint32_t glass = has(features, SurfaceFeatures::see_through) ? 1 : 0;
-    const uint32_t parts = has(features, SurfaceFeatures::parts) ? 1 : 0;
-    return {kSurfaceSections + 1 - glass, 7 + glass + parts};
-}
+    explicit SurfaceSections(SurfaceFeatures features)
+    {
+        add(features, SurfaceFeatures::see_through, kSeeThroughSection);
+        add(features, SurfaceFeatures::parts, kPartsSection);
+        add(features, SurfaceFeatures::gloss, kGlossSection);
+    }
+    KnownTypes known() const { return {types, count}; }
+
+private:
+    void add(SurfaceFeatures features, SurfaceFeatures one, uint32_t type)
+    {
+        if (has(features, one)) types[count++] = type;
+    }
+};
 
 FieldError read_counts(const uint8_t* b, SurfaceField& out)
 {
@@ -130,7 +139,8 @@ FieldError unknown_feature(const uint8_t* bytes, KnownTypes known)
 {
     const auto is_missing = [&](uint32_t type) { return !known.has(type) && has_section(bytes, type); };
     if (is_missing(kSeeThroughSection)) return FieldError::see_through;
-    return is_missing(kPartsSection) ? FieldError::parts : FieldError::unknown_required;
+    if (is_missing(kPartsSection)) return FieldError::parts;
+    return is_missing(kGlossSection) ? FieldError::gloss : FieldError::unknown_required;
 }
 
 FieldError check_file(const uint8_t* bytes, size_t size, KnownTypes known)
@@ -146,8 +156,8 @@ FieldError check_file(const uint8_t* bytes, size_t size, KnownTypes known)
 
 FieldError detail::open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures known, SurfaceField& out)
 {
-    if (const FieldError error = check_file(bytes, size, known_sections(known)); error != FieldError::none)
-        return error;
+    const SurfaceSections sections(known);
+    if (const FieldError error = check_file(bytes, size, sections.known()); error != FieldError::none) return error;
     Section header{};
     if (!find_section(bytes, kSurfaceSection, header)) return FieldError::missing_surface;
     if (header.size != kSurfaceBytes) return FieldError::bad_surface;

@@ -169,15 +169,25 @@ constexpr Work work_of_samples()
                                                                    : nth_work(Work::sample, 2 * kNth);
 }
 
+// Rows without gloss.
+struct NoGloss {
+    struct Row {
+        PackedColour over(PackedColour colour) const { return colour; }
+        void go_right() {}
+    };
+    Row row_at(uint32_t) const { return {}; }
+    void go_down() {}
+};
+
 // Draws every row. Sample: what a sample holds, `Colour`, and how a PackedColour becomes that, `stored()`; where
 // triangles are blended over samples, also how it is read, `loaded()`.
-template <class Sample, Filter kFilter>
-LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
+template <class Sample, Filter kFilter, class Gloss = NoGloss>
+LUMI_ALWAYS_INLINE void draw_rows(Rows& rows, Gloss gloss = {})
 {
     // The first sample's quantities are given.
     const auto draw_row =
         [](uint16_t * depth_at, const uint16_t* end, typename Sample::Colour* colour_at, uint32_t depth, uint32_t place,
-           PackedColour colour, const Rows& state) __attribute__((always_inline))
+           PackedColour colour, const Rows& state, auto mirrored) __attribute__((always_inline))
     {
         const Rows at = state;  // none of it changes when a colour is stored
         Rows passing = at;
@@ -188,6 +198,7 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
                 if constexpr (!Sample::kIsBlended) *depth_at = static_cast<uint16_t>(depth >> 16);
                 PackedColour sum = colour + texel<kFilter>(place, at);
                 if ((sum & kGuardBits) != 0) sum = clamped(sum);
+                sum = mirrored.over(sum);
                 if constexpr (Sample::kIsBlended) {
                     const PackedColour passed = texel<kFilter>(place, passing);
                     if (sum != 0 || !is_all(passed)) {
@@ -203,6 +214,7 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
             depth += at.depth_right;
             place += at.place_right;
             colour += at.colour_right;
+            mirrored.go_right();
             ++colour_at;
         } while (++depth_at != end);
     };
@@ -216,13 +228,15 @@ LUMI_ALWAYS_INLINE void draw_rows(Rows& rows)
             uint16_t* const depths = reinterpret_cast<uint16_t*>(rows.row);
             auto* const colours = reinterpret_cast<typename Sample::Colour*>(rows.row + rows.colours_at);
             draw_row(depths + first, depths + last, colours + first, rows.depth + column * rows.depth_right,
-                     rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows);
+                     rows.place + column * rows.place_right, rows.colour + column * rows.colour_right, rows,
+                     gloss.row_at(column));
         }
         rows.edge_q16[0] += rows.edge_step_q16[0];
         rows.edge_q16[1] += rows.edge_step_q16[1];
         rows.depth += rows.depth_down;
         rows.place += rows.place_down;
         rows.colour += rows.colour_down;
+        gloss.go_down();
         rows.row += rows.row_bytes;
         if (--rows.count != 0) continue;
         if (rows.count_below == 0) return;

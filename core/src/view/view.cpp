@@ -20,6 +20,8 @@ const char* describe_field(FieldError error)
             return "the field has see-through parts (section SSEE): build with the header that `lumi embed` wrote";
         case FieldError::parts:
             return "the field has moving parts (section SPRT): build with the header that `lumi embed` wrote";
+        case FieldError::gloss:
+            return "the field has gloss maps (section SGLO): build with the header that `lumi embed` wrote";
         default:
             return describe(error);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The macros of lumi.h tell no less memory than a view takes, for screens of many sizes.
 #include "c/views.h"
-#include "surface/states_bytes.h"
+#include "surface/gloss_bytes.h"
 
 using namespace lumi;
 using namespace lumi::test;
@@ -36,6 +36,7 @@ size_t macro_of(const SurfaceField& field, const lumi_screen& s)
                               : LUMI_MEMORY(vertices, patches, s.width_px, s.height_px, s.rows_px);
     return opaque + LUMI_PARTS_MEMORY(field.part_count) +
            (field.state_count != 0 ? LUMI_STATES_MEMORY(field.see_through_count) : 0) +
+           LUMI_GLOSS_MEMORY(gloss_count(field), field.viewed_count) +
            (field.see_through_count != 0 ? LUMI_SEE_THROUGH_MEMORY(field.see_through_count) : 0);
 }
 
@@ -64,6 +65,8 @@ TEST_CASE("the memory that a macro tells is enough for every screen")
     check_macros(mover_file(moving_ball(9)), 0);
     check_macros(lit_file(moving_ball(9), four_states()), 0);
     check_macros(lit_ball_file(four_states()), LUMI_SEE_THROUGH_MEMORY(0));
+    const TestSurface glossy = ball_for_gloss();
+    check_macros(glossy_file(glossy, any_gloss(glossy)), LUMI_SEE_THROUGH_MEMORY(0));
 #else
     check_macros(surface_bytes(), 0);
 #endif

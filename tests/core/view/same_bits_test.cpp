@@ -8,7 +8,7 @@
 #include "lumi/chord/view.h"
 #include "lumi/detail/crc32.h"
 #include "lumi/surface/view.h"
-#include "surface/states_bytes.h"
+#include "surface/gloss_bytes.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -86,10 +86,11 @@ uint32_t crc_of_chords()
     });
 }
 
-template <uint32_t kSeeThroughPatches>
+template <uint32_t kSeeThroughPatches, uint32_t kGloss = 0>
 uint32_t crc_of_surfaces(const Bytes& bytes)
 {
-    static lumi::View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two, kSeeThroughPatches>, Small> view;
+    static lumi::View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two, kSeeThroughPatches, 98, 0, 0, kGloss>, Small>
+        view;
     REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
     return crc_of_frames(60, [&](uint32_t k, const Stripe& stripe) {
         REQUIRE(view.look(eye(k), static_cast<SurfaceMode>(k % 3)) == ViewError::none);
@@ -135,6 +136,8 @@ TEST_CASE("pictures of surface fields are the same on every machine")
     fine.code_bits = 7;
     CHECK(crc_of_surfaces<0>(surface_file(fine)) == 0x61966709);
     CHECK(crc_of_surfaces<64>(see_through_file(bumpy_ball(), 70)) == 0xb0dff10c);
+    const TestSurface glossy = ball_for_gloss();
+    CHECK((crc_of_surfaces<0, 3>(glossy_file(glossy, any_gloss(glossy)))) == 0x729c0e73);
 }
 
 // The eye rests in every other frame, and one part or all have moved since the last one.

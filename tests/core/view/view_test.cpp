@@ -517,7 +517,7 @@ TEST_CASE("every error has a text of its own")
         texts.insert(error_text(error));
         ++count;
     };
-    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_states); ++k) add(static_cast<ViewError>(k));
+    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_gloss); ++k) add(static_cast<ViewError>(k));
     for (uint8_t k = 1; k <= static_cast<uint8_t>(CameraError::axes_not_orthonormal); ++k)
         add(view_error(static_cast<CameraError>(k)));
     for (uint8_t k = 160; k <= static_cast<uint8_t>(ViewError::wrong_span); ++k) add(static_cast<ViewError>(k));
@@ -526,9 +526,9 @@ TEST_CASE("every error has a text of its own")
     for (const int unknown : {127, 159, 255})
         CHECK(std::string(error_text(static_cast<ViewError>(unknown))) == "unknown error");
     texts.clear();
-    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_states); ++k)
+    for (uint8_t k = 0; k <= static_cast<uint8_t>(FieldError::bad_gloss); ++k)
         texts.insert(describe(static_cast<FieldError>(k)));
-    CHECK(texts.size() == static_cast<size_t>(FieldError::bad_states) + 1);
+    CHECK(texts.size() == static_cast<size_t>(FieldError::bad_gloss) + 1);
     for (const char* text : {describe(FieldError::none), describe(CameraError::none), error_text(ViewError::none)})
         CHECK(std::string(text) == "no error");
 }

@@ -8,7 +8,7 @@
 #include "support/program.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
-#include "surface/states_bytes.h"
+#include "surface/gloss_bytes.h"
 
 namespace lumi::tools
 {
@@ -102,6 +102,32 @@ TEST_CASE("the header of an embedded field names its states, in C and in C++")
                         "#include <lumi/lumi.h>\n#include \"room.h\"\n"
                         "lumi_error dims(lumi_view* view) { return lumi_set_state(view, room_state_base, 1, 2, 3); }\n"
                         "int states[room_light_states];\n");
+    check_compiles(folder);
+}
+
+TEST_CASE("inspect counts gloss maps and their RAM, and the header of their field has a view that opens it")
+{
+    const test::TemporaryFolder folder;
+    const lumi::test::TestSurface ball = lumi::test::ball_for_gloss();
+    write(folder / "ball.lumi", lumi::test::glossy_file(ball, lumi::test::any_gloss(ball)));
+    write(folder / "plain.lumi", lumi::test::surface_file(ball));
+    CHECK_THAT(lumi({"inspect", folder / "ball.lumi"}).out, Catch::Contains("  gloss         3 maps\n"));
+    const auto json = [&](const char* name) {
+        return nlohmann::json::parse(lumi({"inspect", folder / name, "--json", "--screen", "240x240"}).out);
+    };
+    const auto glossy = json("ball.lumi"), plain = json("plain.lumi");
+    CHECK(glossy["gloss"] == 3);
+    CHECK(plain["gloss"] == 0);
+    const auto ram = [](const nlohmann::json& of) { return of["ram_bytes"]["2x2"]["view"].get<uint32_t>(); };
+    CHECK(ram(glossy) - ram(plain) == 4 * gloss_words(3, ball.viewed));
+    REQUIRE(lumi({"embed", folder / "ball.lumi", "-o", folder / "room.S"}).code == 0);
+    test::write_content(folder / "main.cpp",
+                        "#include \"room.h\"\n"
+                        "static room_view<lumi::Screen<64, 64, 16>> view;\n"
+                        "bool opens() { return view.open(room, room_size()) == lumi::ViewError::none; }\n");
+    test::write_content(folder / "main.c",
+                        "#include <lumi/lumi.h>\n#include \"room.h\"\n"
+                        "uint64_t memory[LUMI_GLOSS_MEMORY(room_gloss, room_viewed)];\n");
     check_compiles(folder);
 }
 

@@ -98,9 +98,7 @@ private:
         settings.mode = kWays[k].mode;
         trial.psnr_db[k] =
             measure_.psnr_db([&](const quality::HeldOutView& view) { return draw_surface(field, view.eye, settings); });
-        const host::SurfaceCounts counts = {field.vertex_count,      field.patch_count, kWays[k].mode,
-                                            field.see_through_count, field.part_count,  field.state_count};
-        const uint64_t ram = planner::ram_of(counts, screen_).all();
+        const uint64_t ram = planner::ram_of(host::counts_of(field, kWays[k].mode), screen_).all();
         const auto rates = planner::surface_rates(field, kWays[k].mode, screen_, kTrialPoses);
         trial.share[k] = 1e9;
         for (const planner::Pace& pace : paces_) {

@@ -125,6 +125,7 @@ void append_surface(std::string& text, const SurfaceField& field)
                     is_tint(field, k) ? "  tint          %s: its colour is chosen"
                                       : "  lights        %s: their weight is chosen",
                     visible(name_of_state(field, k)).c_str());
+    if (gloss_count(field) != 0) append_line(text, "  gloss         %" PRIu32 " maps", gloss_count(field));
     if (field.neighbours == nullptr) text += "  neighbours    none: outlines cannot be drawn smooth\n";
 }
 
@@ -163,6 +164,7 @@ nlohmann::ordered_json json_of(const SurfaceField& field)
             {"see_through_patches", field.see_through_count},
             {"parts", parts},
             {"states", states},
+            {"gloss", gloss_count(field)},
             {"vertices", field.vertex_count},
             {"viewed_vertices", field.viewed_count},
             {"texels", field.texel_bytes},
@@ -283,10 +285,13 @@ RendererName renderer_of(const SurfaceField& field)
     const std::string drawing =
         "lumi::SurfaceDrawing<" + std::to_string(field.vertex_count) + ", " + std::to_string(patches);
     std::string last = field.see_through_count == 0 ? "" : ", " + std::to_string(field.see_through_count);
-    if (field.part_count + field.state_count != 0)
-        last = ", " + std::to_string(field.see_through_count) + ", " + std::to_string(field.vertex_count) + ", " +
+    const uint32_t gloss = gloss_count(field);
+    if (field.part_count + field.state_count + gloss != 0)
+        last = ", " + std::to_string(field.see_through_count) + ", " +
+               std::to_string(gloss != 0 ? field.viewed_count : field.vertex_count) + ", " +
                std::to_string(field.part_count);
-    if (field.state_count != 0) last += ", " + std::to_string(field.state_count);
+    if (field.state_count + gloss != 0) last += ", " + std::to_string(field.state_count);
+    if (gloss != 0) last += ", " + std::to_string(gloss);
     const bool is_plain = last.empty() && field.viewed_count == 0;
     return named("lumi/surface/view.h", "open_surface", "lumi::SurfaceMode Finest = lumi::SurfaceMode::antialiased",
                  drawing, "Finest" + (is_plain ? ", 0, 0" : last),

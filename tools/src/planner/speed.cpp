@@ -75,10 +75,7 @@ Ram ram_of(const tools::FieldFile& field, SurfaceMode finest, const host::Screen
 {
     if (!field.is_surface())
         return {host::chord_view_bytes(fits_spans(field.field())), host::stripe_pixel_bytes<PixelRgb565>(screen)};
-    const SurfaceField& surface = field.surface();
-    return ram_of({surface.vertex_count, surface.patch_count, finest, surface.see_through_count, surface.part_count,
-                   surface.state_count},
-                  screen);
+    return ram_of(host::counts_of(field.surface(), finest), screen);
 }
 
 uint32_t stack_of(const tools::FieldFile& field)

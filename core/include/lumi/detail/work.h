@@ -59,6 +59,10 @@ enum class Work : uint8_t {
     four_whole,    // those that are covered
     four_apart,    // those of these whose light is averaged
     four_mixed,    // those that are covered in part
+    gloss_vertex,  // places in the discs of gloss
+    gloss_texel,   // texels of the discs
+    gloss_begun,   // triangles and parts that have gloss
+    gloss_shown,   // samples of these that are nearer than what was there
     // Chord fields by spans.
     gap,        // begins of spans that do not follow another one
     tile_side,  // tries, of one side

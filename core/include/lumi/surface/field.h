@@ -14,8 +14,16 @@ namespace lumi
 
 // A field may have these besides opaque triangles that rest, and a firmware draws them or not: a mask, the same in
 // every call. Code that draws the others is not linked. `parts` are those that move, `states` lights whose weights are
-// chosen; without it a field shows all of them at their full weight.
-enum class SurfaceFeatures : uint8_t { none = 0, view_tables = 1, see_through = 2, parts = 4, states = 8, all = 15 };
+// chosen; without it a field shows all of them at their full weight. `gloss` are maps of what smooth surfaces mirror.
+enum class SurfaceFeatures : uint8_t {
+    none = 0,
+    view_tables = 1,
+    see_through = 2,
+    parts = 4,
+    states = 8,
+    gloss = 16,
+    all = 31
+};
 
 constexpr SurfaceFeatures operator|(SurfaceFeatures a, SurfaceFeatures b)
 {
@@ -51,6 +59,7 @@ struct SurfaceField {
     uint16_t viewed_count = 0;
     uint8_t state_count = 0;
     bool has_states_of_see_through = false;  // the section has them, whether or not such patches are read
+    const uint8_t* gloss = nullptr;          // the section of gloss maps, or null
 };
 
 // How a part moves, and how far: formats of surface/format.h.
@@ -74,6 +83,12 @@ PartMotion part_motion(const SurfaceField& field, uint32_t part);
 PartName part_name(const SurfaceField& field, uint32_t part);
 uint32_t first_patch_of_part(const SurfaceField& field, uint32_t part);
 
+// Counts gloss maps.
+constexpr uint32_t gloss_count(const SurfaceField& field)
+{
+    return field.gloss == nullptr ? 0 : field.gloss[0];
+}
+
 }  // namespace lumi
 
 namespace lumi::detail
@@ -85,6 +100,7 @@ FieldError open_mesh(const uint8_t* bytes, size_t size, SurfaceFeatures known, S
 FieldError read_see_through(const uint8_t* bytes, SurfaceField& field);
 FieldError read_parts(const uint8_t* bytes, SurfaceField& field);
 FieldError read_states(const uint8_t* bytes, SurfaceField& field);
+FieldError read_gloss(const uint8_t* bytes, SurfaceField& field);
 
 struct VertexQ14 {
     int32_t x, y, z;
@@ -127,7 +143,8 @@ namespace lumi
 
 // Checks `size` bytes and fills `out`, which stays untouched on failure. Cost: a CRC over header and table, one pass
 // over vertices and patches. verify_field() (field.h) checks the CRC of every section. A field with see-through parts
-// is FieldError::see_through where kFeatures does not name them, and one with moving parts FieldError::parts.
+// is FieldError::see_through where kFeatures does not name them, one with moving parts FieldError::parts, and one with
+// gloss maps FieldError::gloss.
 template <SurfaceFeatures kFeatures = SurfaceFeatures::view_tables>
 FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
 {
@@ -139,6 +156,8 @@ FieldError open_surface(const uint8_t* bytes, size_t size, SurfaceField& out)
         if (error == FieldError::none) error = detail::read_parts(bytes, field);
     if constexpr (has(kFeatures, SurfaceFeatures::states))
         if (error == FieldError::none) error = detail::read_states(bytes, field);
+    if constexpr (has(kFeatures, SurfaceFeatures::gloss))
+        if (error == FieldError::none) error = detail::read_gloss(bytes, field);
     if (error == FieldError::none) out = field;
     return error;
 }

@@ -159,6 +159,34 @@ constexpr uint32_t states_views_at(uint32_t count, bool has_see_through)
     return states_see_through_at(count) + (has_see_through ? count * state::kPaletteBytes : 0);
 }
 
+// Gloss: what smooth surfaces mirror, as maps over mirrored directions. The number of maps, u8, 1 .. kMaxGlossMaps, and
+// three zeros; for each map its gains of r, g and b, u8, and a zero; the maps; then two bits for each patch of the
+// file, the first in the lowest bits: 0, or the number of its map from 1 on. See-through patches have none. All corners
+// of a patch that has one have view tables, whose turns are its normals. A file with gloss has no parts and no states.
+//
+// A map has kGlossSide × kGlossSide texels of a byte over the octahedral map of directions d, in the sphere's frame: at
+// (x, y) of d/(|x| + |y| + |z|), and for z < 0 beyond the diamond's sides. Around them lies a border of one texel,
+// which repeats what lies across: -1 - i, mirrored along the side. It adds gain/64 · texel, in 8-bit levels, to the
+// colour that texel and tables make, which is clamped first. Between texels maps are bilinear.
+//
+// The mirrored direction is that of half vectors (gloss.h), which are interpolated between the corners.
+inline constexpr uint32_t kMaxGlossMaps = 3;
+inline constexpr uint32_t kGlossSide = 32, kGlossStride = kGlossSide + 2;
+inline constexpr uint32_t kGlossMapBytes = kGlossStride * kGlossStride;
+inline constexpr uint32_t kGlossHeaderBytes = 4, kGlossGainBytes = 4;
+constexpr uint32_t gloss_maps_at(uint32_t maps)
+{
+    return kGlossHeaderBytes + maps * kGlossGainBytes;
+}
+constexpr uint32_t gloss_choices_at(uint32_t maps)
+{
+    return gloss_maps_at(maps) + maps * kGlossMapBytes;
+}
+constexpr uint32_t gloss_bytes(uint32_t maps, uint32_t patches)
+{
+    return gloss_choices_at(maps) + (patches + 3) / 4;
+}
+
 // View tables: colours of nodes, 2^bits each, then a record for each vertex that has a table. In a record the code of
 // node k, which of its colours the node has, is bits k·bits .. (k + 1)·bits - 1 from the lowest bit of byte 0 on.
 // Behind the codes lie kTurnBytes and kGainBytes.

@@ -24,6 +24,9 @@ inline constexpr uint32_t kEmptyDepth = 0;
 inline constexpr uint32_t kFarDepth = 256;
 inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
 
+// A gloss map has a colour for each byte, and a square disc of half vectors (surface/detail/gloss.h).
+inline constexpr uint32_t kGlossColours = 256, kGlossDiscSide = 48, kGlossDiscBytes = kGlossDiscSide * kGlossDiscSide;
+
 // A band has so many lists of triangles, by depth.
 inline constexpr uint32_t kBandLists = 4;
 
@@ -112,10 +115,18 @@ constexpr uint32_t state_words(uint32_t states, uint32_t see_through_patches)
     return states == 0 ? 0 : 2 * states + kPalette + (see_through_patches == 0 ? 0 : kGlass);
 }
 
+// Counts those of gloss: for each map its colours, and its texels as the frame's eye sees them; then for each vertex
+// that has a view table where it lies in these.
+constexpr uint32_t gloss_words(uint32_t maps, uint32_t viewed)
+{
+    return maps == 0 ? 0 : maps * (detail::kGlossColours + detail::kGlossDiscBytes / 4) + (viewed + 1) / 2;
+}
+
 constexpr uint32_t feature_words(const SurfaceField& field)
 {
     return see_through_words(field.see_through_count) + part_words(field.part_count) +
-           state_words(field.state_count, field.see_through_count);
+           state_words(field.state_count, field.see_through_count) +
+           gloss_words(gloss_count(field), field.viewed_count);
 }
 
 constexpr uint32_t surface_links(uint32_t patches)
@@ -186,6 +197,9 @@ void put_see_through(SurfaceFrame& frame);
 void put_states(const SurfaceFrame& frame);
 // Does so for every other vertex of the body.
 void put_states_of_half(const SurfaceFrame& frame, uint32_t half);
+
+// After all triangles were listed it makes the discs of gloss maps for the camera, and places lit vertices in them.
+void put_gloss(const SurfaceFrame& frame, const SurfaceCamera& camera);
 
 // Parts may move if there is memory for them; else they rest.
 inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)
@@ -304,6 +318,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
     if constexpr (kFinest != SurfaceMode::one_sample)
         if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
     detail::end_frame<Pixel, kFeatures>(out);
+    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) detail::put_gloss(out, camera);
 }
 
 }  // namespace lumi

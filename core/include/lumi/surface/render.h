@@ -131,6 +131,13 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
     if (covered.width_px == 0) return;
+    const auto draw_opaque = [&](const Target& target, auto loop, auto magnified, auto gloss, auto magnified_gloss) {
+        if constexpr (has(kFeatures, SurfaceFeatures::gloss))
+            if (gloss_count(frame.field) != 0)
+                return draw_glossy_triangles<loop.kDraw, magnified.kDraw, gloss.kDraw, magnified_gloss.kDraw>(frame,
+                                                                                                              target);
+        draw_triangles<Pieces, loop.kDraw, magnified.kDraw>(frame, target);
+    };
     const auto draw_as = [&](auto kind) {
         using Samples = typename decltype(kind)::Type;
         constexpr bool kHasTaps = kFinest != SurfaceMode::one_sample && Samples::kSide == 1;
@@ -140,13 +147,15 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
         if constexpr (kMayHaveGlass && !Samples::kArePixels)
             if (frame.see_through_triangles != 0) fill_colours<Pixel>(samples, background);
         if (kHasTaps && frame.mode == SurfaceMode::antialiased) {
-            draw_triangles<Pieces, Samples::kRows.two_taps, Samples::kRows.bilinear>(frame, target);
+            draw_opaque(target, Loop<Samples::kRows.two_taps>{}, Loop<Samples::kRows.bilinear>{},
+                        GlossLoop<Samples::kGloss.two_taps>{}, GlossLoop<Samples::kGloss.bilinear>{});
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThrough, Samples::kBlends.two_taps, Samples::kBlends.bilinear>(frame, target);
             if (frame.margin != 0) mark_all_outlines<Background, kFeatures>(frame, target);
         } else {
-            draw_triangles<Pieces, Samples::kRows.nearest, Samples::kMagnifiedRows>(frame, target);
+            draw_opaque(target, Loop<Samples::kRows.nearest>{}, Loop<Samples::kMagnifiedRows>{},
+                        GlossLoop<Samples::kGloss.nearest>{}, GlossLoop<Samples::kMagnifiedGloss>{});
             if constexpr (kMayHaveGlass)
                 if (frame.see_through_triangles != 0)
                     draw_triangles<SeeThrough, Samples::kBlends.nearest, Samples::kMagnifiedBlends>(frame, target);

@@ -35,13 +35,15 @@ namespace lumi
 // 2 × 2 takes four times as many samples as the others. Of the patches so many more may be see-through; for 0 open()
 // refuses fields that have any, and nothing that draws them is linked. Of the vertices so many may have view tables;
 // for 0 the same holds for these, unless there are see-through patches or two cores prepare. So many parts may move;
-// for 0 the same holds for these. There may be so many light states; for 0 a field shows them at their full weight.
+// for 0 the same holds for these. There may be so many light states; for 0 a field shows them at their full weight. It
+// may have so many gloss maps; for 0 open() refuses fields that have any.
 template <uint32_t kVertices, uint32_t kPatches, SurfaceMode kFinest = SurfaceMode::antialiased,
-          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices, uint32_t kParts = 0, uint32_t kStates = 0>
+          uint32_t kSeeThrough = 0, uint32_t kViewed = kVertices, uint32_t kParts = 0, uint32_t kStates = 0,
+          uint32_t kGloss = 0>
 struct SurfaceDrawing {
     static_assert(kVertices <= detail::format::kMaxSurfaceVertices &&
                       kPatches + kSeeThrough <= detail::format::kMaxPatches && kParts <= detail::format::kMaxParts &&
-                      kStates <= detail::format::kMaxStates,
+                      kStates <= detail::format::kMaxStates && kGloss <= detail::format::kMaxGlossMaps,
                   "more than a field has");
     using Mode = SurfaceMode;
     static constexpr Mode kDefaultMode = kFinest;
@@ -54,12 +56,14 @@ struct SurfaceDrawing {
     using Samples = detail::SampleMemory<kSampleBytes<ScreenOf>>;
 
     static constexpr SurfaceFeatures kFeatures =
-        (kSeeThrough + kViewed + kParts + kStates != 0 ? SurfaceFeatures::view_tables : SurfaceFeatures::none) |
+        (kSeeThrough + kViewed + kParts + kStates + kGloss != 0 ? SurfaceFeatures::view_tables
+                                                                : SurfaceFeatures::none) |
         (kSeeThrough != 0 ? SurfaceFeatures::see_through : SurfaceFeatures::none) |
         (kParts != 0 ? SurfaceFeatures::parts : SurfaceFeatures::none) |
-        (kStates != 0 ? SurfaceFeatures::states : SurfaceFeatures::none);
-    static constexpr uint32_t kFeatureWords =
-        see_through_words(kSeeThrough) + part_words(kParts) + state_words(kStates, kSeeThrough);
+        (kStates != 0 ? SurfaceFeatures::states : SurfaceFeatures::none) |
+        (kGloss != 0 ? SurfaceFeatures::gloss : SurfaceFeatures::none);
+    static constexpr uint32_t kFeatureWords = see_through_words(kSeeThrough) + part_words(kParts) +
+                                              state_words(kStates, kSeeThrough) + gloss_words(kGloss, kViewed);
 
     template <class ScreenOf>
     class Halves
@@ -90,7 +94,7 @@ struct SurfaceDrawing {
                 return detail::view_error(error);
             if (field.vertex_count > kVertices || field.patch_count > kPatches || field.viewed_count > kViewed ||
                 field.see_through_count > kSeeThrough || (kParts != 0 && field.part_count > kParts) ||
-                (kStates != 0 && field.state_count > kStates))
+                (kStates != 0 && field.state_count > kStates) || gloss_count(field) > kGloss)
                 return ViewError::field_too_large;
             frame_.field = field;
             if constexpr (kParts != 0) detail::rest_parts(field, memory());

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "lumi/background.h"
+#include "lumi/surface/detail/gloss.h"
 #include "lumi/surface/detail/marks.h"
-#include "lumi/surface/detail/pieces.h"
 
 namespace lumi::detail
 {
@@ -125,9 +125,11 @@ struct PixelSamples : StripeSamples {
     static constexpr bool kArePixels = true;
     static constexpr const RowFilters& kRows = kPixelRows<Pixel>;
     static constexpr const RowFilters& kBlends = kPixelBlends<Pixel>;
+    static constexpr const GlossFilters& kGloss = kPixelGloss<Pixel>;
     static constexpr int32_t kSide = 1;  // samples a side of a pixel
     // In the mode of one tap no texture is read bilinearly.
     static constexpr DrawRows kMagnifiedRows = kRows.nearest, kMagnifiedBlends = kBlends.nearest;
+    static constexpr DrawGlossRows kMagnifiedGloss = kGloss.nearest;
     using PixelType = Pixel;
     using Colour = Fields565;
 
@@ -182,8 +184,10 @@ struct PackedSamples : StripeSamples {
     static constexpr bool kArePixels = false;
     static constexpr const RowFilters& kRows = kPackedRows;
     static constexpr const RowFilters& kBlends = kPackedBlends;
+    static constexpr const GlossFilters& kGloss = kPackedGloss;
     static constexpr int32_t kSide = 1;
     static constexpr DrawRows kMagnifiedRows = kRows.nearest, kMagnifiedBlends = kBlends.nearest;
+    static constexpr DrawGlossRows kMagnifiedGloss = kGloss.nearest;
     using PixelType = Pixel;
     using Colour = Rgb8;
 
@@ -270,8 +274,10 @@ struct FourSamples : StripeSamples {
     static constexpr bool kArePixels = false;
     static constexpr const RowFilters& kRows = kPackedRows;
     static constexpr const RowFilters& kBlends = kPackedBlends;
+    static constexpr const GlossFilters& kGloss = kPackedGloss;
     static constexpr int32_t kSide = 2;
     static constexpr DrawRows kMagnifiedRows = kRows.bilinear, kMagnifiedBlends = kBlends.bilinear;
+    static constexpr DrawGlossRows kMagnifiedGloss = kGloss.bilinear;
 
     template <class Background>
     void clear(const Background&) const

@@ -22,7 +22,15 @@ struct SurfaceCounts {
     SurfaceMode finest;
     uint32_t see_through;
     uint32_t parts = 0, states = 0;
+    uint32_t gloss = 0, viewed = 0;  // the second counts only where there is gloss
 };
+
+// Those of a field that is drawn in modes up to `finest`.
+inline SurfaceCounts counts_of(const SurfaceField& field, SurfaceMode finest)
+{
+    return {field.vertex_count, field.patch_count, finest, field.see_through_count, field.part_count, field.state_count,
+            gloss_count(field), field.viewed_count};
+}
 
 // Counts the bytes of a stripe's pixels.
 template <class Pixel>
@@ -35,12 +43,12 @@ constexpr uint32_t stripe_pixel_bytes(const ScreenSize& screen)
 template <class Pixel>
 constexpr uint32_t surface_view_bytes(const SurfaceCounts& field, const ScreenSize& screen)
 {
-    constexpr uint32_t kNumbers = 1288, kWord = 4, kHalf = 2, kVertex = 12;
+    constexpr uint32_t kNumbers = 1292, kWord = 4, kHalf = 2, kVertex = 12;
     const auto words = [](uint32_t bytes) { return (bytes + kWord - 1) / kWord * kWord; };
     const uint32_t patches = field.patches == 0 ? 1 : field.patches;  // memory for none is no array
     const uint32_t bands = surface_bands(screen.height_px, surface_band_log2(screen.stripe_rows()));
-    const uint32_t features =
-        see_through_words(field.see_through) + part_words(field.parts) + state_words(field.states, field.see_through);
+    const uint32_t features = see_through_words(field.see_through) + part_words(field.parts) +
+                              state_words(field.states, field.see_through) + gloss_words(field.gloss, field.viewed);
     return kNumbers + kWord * features + kVertex * field.vertices + words(kHalf * (surface_links(patches) + bands)) +
            words(surface_stripe_bytes_up_to<Pixel>(screen.width_px, screen.stripe_rows(), field.finest));
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Reads and checks the section of gloss maps.
+#include "field/sections.h"
+#include "lumi/surface/detail/gloss.h"
+
+namespace lumi::detail
+{
+namespace
+{
+
+using namespace format;
+using namespace container;
+
+// Whether the patches' maps exist, and their corners have view tables.
+bool choices_fit(const SurfaceField& field)
+{
+    for (uint32_t k = 0; k < uint32_t{field.patch_count} + field.see_through_count; ++k) {
+        const uint32_t map = gloss_of(field, k);
+        if (map == 0) continue;
+        if (map > gloss_count(field) || k >= field.patch_count) return false;
+        for (const uint32_t corner : surface_patch(field, k).corner)
+            if (corner != kNoVertex && corner >= field.viewed_count) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+FieldError read_gloss(const uint8_t* bytes, SurfaceField& field)
+{
+    Section section{}, surface{};
+    if (!find_section(bytes, kGlossSection, section)) return FieldError::none;
+    if (has_section(bytes, kPartsSection) || has_section(bytes, kStateSection) || section.size < kGlossHeaderBytes)
+        return FieldError::bad_gloss;
+    const uint8_t* const at = bytes + section.offset;
+    const uint32_t maps = at[0];
+    find_section(bytes, kSurfaceSection, surface);
+    const uint32_t patches = load_u16(bytes + surface.offset + surface::kPatchesAt);
+    if (maps == 0 || maps > kMaxGlossMaps || (at[1] | at[2] | at[3]) != 0 || section.size != gloss_bytes(maps, patches))
+        return FieldError::bad_gloss;
+    for (uint32_t k = 0; k < maps; ++k)
+        if (at[kGlossHeaderBytes + k * kGlossGainBytes + 3] != 0) return FieldError::bad_gloss;
+    field.gloss = at;
+    return choices_fit(field) ? FieldError::none : FieldError::bad_gloss;
+}
+
+}  // namespace lumi::detail

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "lumi/surface/detail/gloss.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <iostream>
+
+#include "gloss_bytes.h"
+#include "halves.h"
+#include "lumi/surface/view.h"
+
+using namespace lumi;
+using namespace lumi::detail;
+using namespace lumi::test;
+
+namespace
+{
+
+constexpr int32_t kSide = 64;
+constexpr auto kAll = SurfaceFeatures::all;
+#ifdef LUMI_TEST_LIGHT
+constexpr int kLooks = 12;
+#else
+constexpr int kLooks = 100;
+#endif
+
+double any(std::minstd_rand& random)
+{
+    return static_cast<double>(random() % 2001) / 1000 - 1;
+}
+
+// A picture in rectangles of at most so many pixels.
+template <class Pixel, SurfaceFeatures kFeatures = kAll>
+Bytes shown(const SurfaceField& field, const test::View& view, SurfaceMode mode, int32_t width, int32_t height)
+{
+    PreparedFrame made(field, view.image.height_px, 3);
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
+    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, camera, mode, made.memory, made.frame);
+    const uint32_t stride = Pixel::kBytes * static_cast<uint32_t>(view.image.width_px);
+    Bytes pixels(stride * static_cast<size_t>(view.image.height_px), 0xA5);
+    for (int32_t y = 0; y < view.image.height_px; y += height) {
+        for (int32_t x = 0; x < view.image.width_px; x += width) {
+            const Stripe stripe = {
+                &pixels[static_cast<uint32_t>(y) * stride + Pixel::kBytes * static_cast<uint32_t>(x)],
+                x,
+                y,
+                std::min(width, view.image.width_px - x),
+                std::min(height, view.image.height_px - y),
+                stride};
+            std::vector<uint32_t> samples((surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4);
+            render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(made.frame, OverColour{kSurfaceBackground},
+                                                                      stripe, samples.data());
+        }
+    }
+    return pixels;
+}
+
+FieldError opened(const Bytes& bytes)
+{
+    return OpenedGlass(bytes).error();
+}
+
+// A ball of one grey without differences in its tables, whose patches all have one map.
+constexpr double kBallRadius = 0.8;
+constexpr uint8_t kGrey = 60;
+
+TestSurface smooth_ball()
+{
+    TestSurface s = BumpyBall(20).take();
+    for (SurfacePoint& v : s.vertices) {
+        const double length = std::sqrt(double(v[0]) * v[0] + double(v[1]) * v[1] + double(v[2]) * v[2]);
+        for (int32_t& c : v) c = static_cast<int32_t>(std::lround(c * kBallRadius * 16384 / length));
+    }
+    s.viewed = static_cast<uint32_t>(s.vertices.size());
+    put_texels(s);
+    s.texels.assign(s.texels.size(), 0);
+    return s;
+}
+
+Bytes mirror_ball(const GlossOf& map, const std::array<uint8_t, 3>& gains)
+{
+    const TestSurface s = smooth_ball();
+    std::vector<TestSection> sections = surface_sections(s);
+    for (TestSection& section : sections) {
+        if (section.type == format::kPaletteRgb) section.bytes.assign(section.bytes.size(), kGrey);
+        if (section.type == format::kViewSection)
+            std::fill_n(section.bytes.begin(), format::view_colours_bytes(s.code_bits), uint8_t{0});
+    }
+    sections.push_back(gloss_section({{gains}, {gloss_map(map)}, std::vector<uint8_t>(s.patches.size(), 1)}));
+    return file_of(sections);
+}
+
+using Vec = twin::Vec3;
+
+// What an exact mirror ball shows at a pixel; false where the ray passes it by or grazes it.
+bool mirrored(const test::View& view, int32_t x, int32_t y, Vec& direction)
+{
+    const auto unit = [](const Vec3q30& v) { return Vec{v.x / 0x1p30, v.y / 0x1p30, v.z / 0x1p30}; };
+    const Pose& pose = view.pose;
+    const Vec eye = {pose.eye.x / 0x1p20, pose.eye.y / 0x1p20, pose.eye.z / 0x1p20};
+    const double half = view.image.width_px / 2.0, focal = half / std::tan(view.image.fov_turns32 / 0x1p32 * twin::kPi);
+    const Vec way = twin::normalised((x + 0.5 - half) / focal * unit(pose.right) +
+                                     (half - y - 0.5) / focal * unit(pose.up) + unit(pose.forward));
+    const double along = dot(eye, way), under = along * along - dot(eye, eye) + kBallRadius * kBallRadius;
+    if (under <= 0) return false;
+    const Vec n = (1 / kBallRadius) * (eye + (-along - std::sqrt(under)) * way);
+    const double cosine = -dot(n, way);
+    direction = way + (2 * cosine) * n;
+    return cosine > 0.5;
+}
+
+}  // namespace
+
+TEST_CASE("gloss: a mirror ball shows the map in mirrored directions")
+{
+    // Bands of light that lie in no plane of the map's seams.
+    const GlossOf bands = [](const std::array<double, 3>& d) {
+        return 127.5 + 127.5 * std::sin(3 * (0.48 * d[0] + 0.6 * d[1] + 0.64 * d[2]));
+    };
+    const std::array<uint8_t, 3> gains = {32, 40, 20};
+    const OpenedGlass ball(mirror_ball(bands, gains));
+    REQUIRE(ball.error() == FieldError::none);
+    std::minstd_rand random(5);
+    double squares = 0, worst = 0;
+    int count = 0;
+    for (int look = 0; look < kLooks / 6 + 2; ++look) {
+        const double far[] = {1.4, 2, 3, 6, 40};
+        const Vec to_eye = twin::normalised({any(random), any(random), any(random) + 1e-3});
+        const double distance = far[look % 5], fov = 2 * std::asin(0.9 / distance) * 180 / twin::kPi;
+        const test::View view = {
+            "", look_at(distance * to_eye, {0, 0, 0}, look * 40.0), {kSide, kSide, test::degrees(fov)}};
+        const Bytes pixels = shown<PixelRgb888>(ball.field(), view, SurfaceMode::one_sample, kSide, kSide);
+        for (int32_t y = 0; y < kSide; ++y) {
+            for (int32_t x = 0; x < kSide; ++x) {
+                Vec d;
+                if (!mirrored(view, x, y, d)) continue;
+                const double step = bands({d.x, d.y, d.z}) / 64;
+                for (size_t c = 0; c < 3; ++c) {
+                    const double expected = kGrey + step * gains[c];
+                    const double off = std::fabs(pixels[3 * static_cast<size_t>(y * kSide + x) + c] - expected);
+                    squares += off * off;
+                    worst = std::max(worst, off);
+                    ++count;
+                }
+            }
+        }
+    }
+    REQUIRE(count > 20000);
+    std::cout << "mirror ball: " << std::sqrt(squares / count) << " levels root mean square, " << worst << " at most\n";
+    // A texel of the disc is 5° wide in mirrored directions, and 10° where the cosine is one half; over a degree the
+    // bands change by up to 4 levels. Turns are exact to half a degree, places to a quarter of a texel.
+    CHECK(std::sqrt(squares / count) < 4.2);
+    CHECK(worst < 48);
+}
+
+TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the same frame")
+{
+    const TestSurface s = ball_for_gloss();
+    const OpenedGlass ball(glossy_file(s, any_gloss(s)));
+    REQUIRE(ball.error() == FieldError::none);
+    std::minstd_rand random(17);
+    for (int look = 0; look < kLooks; ++look) {
+        const test::View view = random_view(random, kSide);
+        const SurfaceMode mode = kSurfaceModes[look % 3];
+        const auto some = [&] { return static_cast<int32_t>(1 + random() % kSide); };
+        INFO("look " << look);
+        REQUIRE((shown<PixelRgb888>(ball.field(), view, mode, kSide, kSide) ==
+                 shown<PixelRgb888>(ball.field(), view, mode, some(), some())));
+        REQUIRE((shown<PixelRgb565>(ball.field(), view, mode, kSide, kSide) ==
+                 shown<PixelRgb565>(ball.field(), view, mode, some(), some())));
+        check_halves(ball.field(), {{view.pose, view.image, 0, 0, kSide, kSide}, static_cast<uint32_t>(random())},
+                     [](SurfaceHalves& halves, int32_t step) {
+                         prepare_half<SurfaceMode::two_by_two, kAll>(halves, step, 0);
+                         prepare_half<SurfaceMode::two_by_two, kAll>(halves, step, 1);
+                     });
+    }
+    for (const test::View& view : extreme_views(kSide))
+        for (const SurfaceMode mode : kSurfaceModes)
+            CHECK((shown<PixelRgb888>(ball.field(), view, mode, kSide, kSide) ==
+                   shown<PixelRgb888>(ball.field(), view, mode, 13, 9)));
+}
+
+TEST_CASE("gloss: patches without a map look as without the section, and swapped pixels as others")
+{
+    const TestSurface s = ball_for_gloss();
+    TestGloss none = any_gloss(s);
+    none.choices.assign(none.choices.size(), 0);
+    const OpenedGlass plain(surface_file(s)), unused(glossy_file(s, none)), glossy(glossy_file(s, any_gloss(s)));
+    std::minstd_rand random(18);
+    int different = 0;
+    for (int look = 0; look < kLooks; ++look) {
+        const test::View view = random_view(random, kSide);
+        const SurfaceMode mode = kSurfaceModes[look % 3];
+        const Bytes without = shown<PixelRgb888>(plain.field(), view, mode, kSide, kSide);
+        REQUIRE((without == shown<PixelRgb888>(unused.field(), view, mode, kSide, kSide)));
+        different += without == shown<PixelRgb888>(glossy.field(), view, mode, kSide, kSide) ? 0 : 1;
+        const Bytes low = shown<PixelRgb565>(glossy.field(), view, mode, kSide, kSide),
+                    high = shown<PixelRgb565Swapped>(glossy.field(), view, mode, kSide, kSide);
+        for (size_t k = 0; k < low.size(); k += 2) REQUIRE((low[k] == high[k + 1] && low[k + 1] == high[k]));
+    }
+    CHECK(different > kLooks / 2);
+}
+
+TEST_CASE("gloss: sections that are wrong are refused by name, and no byte of them leads astray")
+{
+    const TestSurface s = ball_for_gloss();
+    const TestGloss right = any_gloss(s);
+    const auto with = [&](const std::function<void(Bytes&)>& change) {
+        std::vector<TestSection> sections = surface_sections(s);
+        sections.push_back(gloss_section(right));
+        change(sections.back().bytes);
+        return file_of(sections);
+    };
+    const size_t size = gloss_section(right).bytes.size();
+    REQUIRE(opened(glossy_file(s, right)) == FieldError::none);
+    for (size_t cut = 1; cut <= size; cut += 1 + cut / 20)
+        if (opened(with([&](Bytes& b) { b.resize(size - cut); })) != FieldError::bad_gloss) FAIL_CHECK(cut);
+    CHECK(opened(with([](Bytes& b) { b.push_back(0); })) == FieldError::bad_gloss);
+    for (const uint8_t maps : Bytes{0, 1, 2, 4, 255})
+        CHECK(opened(with([&](Bytes& b) { b[0] = maps; })) == FieldError::bad_gloss);
+    for (const size_t zero : {1u, 2u, 3u, 7u, 11u, 15u})
+        CHECK(opened(with([&](Bytes& b) { b[zero] = 1; })) == FieldError::bad_gloss);
+    TestSurface fewer = s;  // of some glossy patch a corner has no table
+    fewer.viewed -= 1;
+    CHECK(opened(glossy_file(fewer, right)) == FieldError::bad_gloss);
+    TestGloss one = right;  // patches name maps that there are not
+    one.gains.resize(1);
+    one.maps.resize(1);
+    CHECK(opened(glossy_file(s, one)) == FieldError::bad_gloss);
+    std::vector<TestSection> states = surface_sections(s);
+    states.push_back(gloss_section(right));
+    CHECK(opened(file_with_states(states, light_of(s, two_states()))) == FieldError::bad_gloss);
+    std::vector<TestSection> parts = mover_sections(moving_ball());
+    TestGloss none = right;
+    none.choices.assign(moving_ball().all.patches.size(), 0);
+    parts.push_back(gloss_section(none));
+    CHECK(opened(file_of(parts)) == FieldError::bad_gloss);
+}
+
+TEST_CASE("gloss: a firmware that does not name it refuses the field by name")
+{
+    const TestSurface s = ball_for_gloss();
+    const Bytes file = glossy_file(s, any_gloss(s));
+    constexpr auto kOthers =
+        SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts | SurfaceFeatures::states;
+    CHECK(Opened<kOthers>(file).error() == FieldError::gloss);
+    static lumi::View<SurfaceDrawing<200, 200>, Screen<32, 32, 8>> without;
+    CHECK(without.open(file.data(), file.size()) == static_cast<ViewError>(FieldError::gloss));
+    CHECK(std::string(error_text(static_cast<ViewError>(FieldError::gloss))).find("SGLO") != std::string::npos);
+    static lumi::View<SurfaceDrawing<200, 200, SurfaceMode::antialiased, 0, 200, 0, 0, 2>, Screen<32, 32, 8>> fewer;
+    CHECK(fewer.open(file.data(), file.size()) == ViewError::field_too_large);
+    static lumi::View<SurfaceDrawing<200, 200, SurfaceMode::antialiased, 0, 200, 0, 0, 3>, Screen<32, 32, 8>> view;
+    CHECK(view.open(file.data(), file.size()) == ViewError::none);
+    CHECK(view.look(Orbit{}) == ViewError::none);
+}
