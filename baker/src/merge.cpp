@@ -125,7 +125,8 @@ MergedField merge_surface(ShardSet& set, const std::filesystem::path& output,
 {
     std::optional<FitBasis> basis = common_basis(set);
     set.throw_problems();
-    const FitShape shape(std::move(basis->mesh), basis->densities, std::move(basis->see_through));
+    const FitShape shape(std::move(basis->mesh), basis->densities, std::move(basis->see_through),
+                         std::move(basis->gloss));
     const EncodedTone tone(basis->tone);
     FitState state(shape, tone);
     add_shards(set, state, leave_if_cancelled);

@@ -109,16 +109,42 @@ ViewTurn view_turn(const Vec3& normal)
     return {step(h.x), step(h.y), step(h.z)};
 }
 
-FitShape::FitShape(PatchMesh m, const std::vector<float>& densities, std::vector<SeeThroughTexel> of_see_through)
-    : mesh(std::move(m)), layout(layout_of(mesh, densities)), see_through(std::move(of_see_through))
+FitShape::FitShape(PatchMesh m, const std::vector<float>& densities, std::vector<SeeThroughTexel> of_see_through,
+                   Gloss of_gloss)
+    : mesh(std::move(m)),
+      layout(layout_of(mesh, densities)),
+      see_through(std::move(of_see_through)),
+      gloss(std::move(of_gloss)),
+      has_gloss(gloss.is_there() ? mesh.positions.size() : 0)
 {
     see_through.resize(mesh.see_through_patches != 0 ? layout.texels : 0);  // a damaged shard may have others
     const auto step = [](float v) { return static_cast<int16_t>(std::lround(v * kEyeScale)); };
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
         const Vec3& p = mesh.positions[v];
         points.push_back({step(p.x), step(p.y), step(p.z)});
-        turns.push_back(view_turn(mesh.normals[v]));
+        turns.push_back(view_turn(gloss.is_there() ? gloss.normals[v] : mesh.normals[v]));
     }
+    for (uint32_t p = 0; p < mesh.patches.size(); ++p)
+        for (uint32_t corner = 0; gloss.has(p) && corner < 4; ++corner)
+            if (const uint32_t v = vertex(p, corner); v != PatchMesh::kNone) has_gloss[v] = 1;
+}
+
+std::array<float, 3> FitShape::mirrored(uint32_t triangle, const Vec2& weights, const EyePoint& eye) const
+{
+    if (!gloss.has(triangle / 2)) return {};
+    const GlossMap& map = gloss.maps[gloss.choices[triangle / 2] - 1];
+    const float of_corners[3] = {1 - weights.x - weights.y, weights.x, weights.y};
+    std::array<GlossCorner, 3> corners;
+    for (uint32_t k = 0; k < 3; ++k) {
+        const uint32_t v = vertex(triangle / 2, patch_corner(triangle, k));
+        corners[k] = {mesh.positions[v], gloss.normals[v], of_corners[k]};
+    }
+    const auto radii = [](int16_t v) { return static_cast<float>(v) / kEyeScale; };
+    const GlossTaps taps = gloss_taps(corners, {radii(eye.x), radii(eye.y), radii(eye.z)});
+    float steps = 0;
+    for (size_t k = 0; k < taps.texels.size(); ++k) steps += taps.weights[k] * map.texel(taps.texels[k]);
+    constexpr float kGainUnit = 64;
+    return {steps * map.gains[0] / kGainUnit, steps * map.gains[1] / kGainUnit, steps * map.gains[2] / kGainUnit};
 }
 
 detail::ViewTaps FitShape::taps(uint32_t vertex, const EyePoint& eye) const

@@ -2,6 +2,7 @@
 // The mesh of a surface field as its file holds it: what tracing, fitting and writing have in common.
 #pragma once
 
+#include "fit/gloss.h"
 #include "lumi/surface/detail/view_nodes.h"
 #include "mesh/patch_mesh.h"
 
@@ -64,7 +65,8 @@ void fields(Io& io, SeeThroughTexel& texel)
 
 struct FitShape {
     // Densities are texels a radius, by patch.
-    FitShape(PatchMesh mesh, const std::vector<float>& densities, std::vector<SeeThroughTexel> see_through = {});
+    FitShape(PatchMesh mesh, const std::vector<float>& densities, std::vector<SeeThroughTexel> see_through = {},
+             Gloss gloss = {});
 
     // Where an eye lies between the nodes of a vertex's view table.
     detail::ViewTaps taps(uint32_t vertex, const EyePoint& eye) const;
@@ -81,11 +83,16 @@ struct FitShape {
         return corner == 0 ? p.a : corner == 1 ? p.b : corner == 2 ? p.c : p.d;
     }
 
+    // What the map of a patch adds at a point of a triangle, for an eye: levels. Weights of corners are barycentric.
+    std::array<float, 3> mirrored(uint32_t triangle, const Vec2& weights, const EyePoint& eye) const;
+
     PatchMesh mesh;
     TexelLayout layout;
     std::vector<EyePoint> points;              // by vertex
     std::vector<ViewTurn> turns;               // by vertex
     std::vector<SeeThroughTexel> see_through;  // by texel, where the mesh has see-through patches
+    Gloss gloss;
+    std::vector<uint8_t> has_gloss;  // by vertex: some patch of it has a map, so it needs a view table; empty without
 };
 
 }  // namespace lumi::baker

@@ -31,6 +31,13 @@ std::array<int64_t, 3> fixed(const Rgb& radiance)
     return {step(radiance.r), step(radiance.g), step(radiance.b)};
 }
 
+constexpr float kWeightStep = 1.0f / 4096;
+
+LevelColour sum_of(const LevelColour& a, const LevelColour& b, float weight)
+{
+    return {a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2]};
+}
+
 uint64_t square(int64_t difference)
 {
     const int64_t off = difference >> kScatterShift;
@@ -138,15 +145,19 @@ LevelColour FitSums::target_of(const Rgb& radiance, const LevelColour& expected)
 void FitSums::add_target(PatchSums& sums, const std::vector<LevelColour>& nodes, const FitSample& sample,
                          const SampleTaps& taps) const
 {
-    const LevelColour expected = predicted(expected_, nodes, sample, taps);
     const uint32_t patch = sample.triangle / 2;
+    const LevelColour shown = predicted(expected_, nodes, sample, taps);
+    const LevelColour mirrored =
+        shape_.mirrored(sample.triangle, {kWeightStep * sample.second_q12, kWeightStep * sample.third_q12}, sample.eye);
+    const LevelColour expected = sum_of(shown, mirrored, 1);
     const Rgb off = sample.matt - expected_.matt[sample.texel];
     const LevelColour calm = target_of(sample.radiance - off, expected), near = cut(calm, expected),
                       all = target_of(sample.radiance, expected);
     const LevelColour fitted = cut(target_of(sample.radiance - off * expected_.alike[patch], expected), expected);
-    const std::array<int64_t, 3> target = fixed(fitted), p = fixed(expected),
-                                 whole = fixed(LevelColour{all[0] - calm[0] + near[0], all[1] - calm[1] + near[1],
-                                                           all[2] - calm[2] + near[2]});
+    const std::array<int64_t, 3> target = fixed(sum_of(fitted, mirrored, -1)), p = fixed(shown),
+                                 whole = fixed(sum_of({all[0] - calm[0] + near[0], all[1] - calm[1] + near[1],
+                                                       all[2] - calm[2] + near[2]},
+                                                      mirrored, -1));
     TexelSums& texel = sums.texels[texel_in(patch, sample)];
     for (size_t c = 0; c < 3; ++c) {
         texel.target[c] += target[c];

@@ -13,17 +13,6 @@ namespace lumi::baker
 namespace
 {
 
-// View tables are read in the direction from a vertex to the eye, so the fit needs eyes: they are as far off as
-// pictures are mostly drawn from, in radii from the centre.
-constexpr float kEyeDistance = 3;
-
-Vec3 eye_of(const Ray& ray)
-{
-    const float along = dot(ray.origin, ray.direction);
-    const float back = along + std::sqrt(along * along + kEyeDistance * kEyeDistance - dot(ray.origin, ray.origin));
-    return ray.origin - ray.direction * back;
-}
-
 // What a path that passes there makes of light. Chance thins the paths by the opacity, so only the hue is left.
 Rgb colour_of_pass(const SceneData& scene, const Hit& pane, const Vec3& direction)
 {
@@ -43,6 +32,14 @@ int16_t q12(float v)
 }
 
 }  // namespace
+
+Vec3 eye_of(const Ray& ray)
+{
+    constexpr float kEyeDistance = 3;
+    const float along = dot(ray.origin, ray.direction);
+    const float back = along + std::sqrt(along * along + kEyeDistance * kEyeDistance - dot(ray.origin, ray.origin));
+    return ray.origin - ray.direction * back;
+}
 
 SampleTracer::SampleTracer(const SceneData& scene, const FitShape& shape, const ViewCap& cap)
     : lit_(scene),

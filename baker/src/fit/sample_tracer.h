@@ -11,6 +11,10 @@
 namespace lumi::baker
 {
 
+// View tables are read in the direction from a vertex to the eye, so the fit needs eyes. This one sees along a ray from
+// as far off as pictures are mostly drawn from, 3 radii from the centre.
+Vec3 eye_of(const Ray& ray);
+
 // The light along one line. Weights of corners are Q12.
 struct FitSample {
     uint32_t triangle;  // 2p or 2p + 1 of patch p

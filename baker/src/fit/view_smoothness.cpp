@@ -39,6 +39,7 @@ std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model,
 {
     using detail::format::kViewNodes;
     const std::vector<double> weights = node_weights(sums);
+    const std::vector<uint8_t>& has_gloss = sums.shape().has_gloss;
     std::vector<uint8_t> viewed;
     for (size_t v = 0; v < sums.shape().mesh.positions.size(); ++v) {
         double sum = 0, all = 0;
@@ -48,7 +49,8 @@ std::vector<uint8_t> viewed_vertices(const FitSums& sums, const FitModel& model,
             sum += weights[k] * square / 3;
             all += weights[k];
         }
-        viewed.push_back(sum > levels * levels * all ? 1 : 0);
+        const bool is_needed = !has_gloss.empty() && has_gloss[v] != 0;
+        viewed.push_back(is_needed || sum > levels * levels * all ? 1 : 0);
     }
     return viewed;
 }

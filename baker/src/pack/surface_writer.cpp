@@ -287,6 +287,24 @@ std::vector<uint8_t> states_section(const FitShape& shape, const FieldParts& par
     return bytes;
 }
 
+std::vector<uint8_t> gloss_section(const FitShape& shape)
+{
+    namespace format = detail::format;
+    const auto maps = static_cast<uint32_t>(shape.gloss.maps.size());
+    std::vector<uint8_t> bytes(format::gloss_maps_at(maps));
+    bytes[0] = static_cast<uint8_t>(maps);
+    for (uint32_t k = 0; k < maps; ++k)
+        std::copy_n(shape.gloss.maps[k].gains.begin(), 3,
+                    bytes.begin() + format::kGlossHeaderBytes + k * format::kGlossGainBytes);
+    for (const GlossMap& map : shape.gloss.maps) bytes.insert(bytes.end(), map.texels.begin(), map.texels.end());
+    bytes.resize(gloss_section_bytes(shape));
+    for (size_t p = 0; p < shape.gloss.choices.size(); ++p) {
+        uint8_t& four = bytes[format::gloss_choices_at(maps) + p / 4];
+        four = static_cast<uint8_t>(four | shape.gloss.choices[p] << 2 * (p % 4));
+    }
+    return bytes;
+}
+
 std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 {
     std::vector<Section> sections;
@@ -303,6 +321,13 @@ std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 }
 
 }  // namespace
+
+uint32_t gloss_section_bytes(const FitShape& shape)
+{
+    if (!shape.gloss.is_there()) return 0;
+    return detail::format::gloss_bytes(static_cast<uint32_t>(shape.gloss.maps.size()),
+                                       static_cast<uint32_t>(shape.mesh.patches.size()));
+}
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts)
 {
@@ -321,6 +346,7 @@ std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts
         contents.push_back({detail::format::kPartsSection, parts_section(shape.mesh, order)});
     if (!parts.states.empty())
         contents.push_back({detail::format::kStateSection, states_section(shape, parts, order), false});
+    if (shape.gloss.is_there()) contents.push_back({detail::format::kGlossSection, gloss_section(shape)});
     if (parts.is_draft) contents.push_back({detail::format::kDraftSection, std::vector<uint8_t>(4), false});
     return file_of(contents);
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "fit/gloss_fit.h"
 #include "fit/light_fit.h"
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"
@@ -96,6 +97,7 @@ FitBasis basis_of(const SceneData& scene, const std::vector<Lit>& lights, const 
                       part_shadows(scene, built.mesh, settings, jobs.next()),
                       ground_shadow(scene, built.mesh, settings, jobs.next())};
     basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
+    basis.gloss = gloss_of(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
     return basis;
 }
 
@@ -195,7 +197,7 @@ public:
           sphere_(basis.sphere),
           shadows_(std::move(basis.shadows)),
           ground_(std::move(basis.ground)),
-          shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through)),
+          shape_(std::move(basis.mesh), basis.densities, std::move(basis.see_through), std::move(basis.gloss)),
           tone_(basis.tone),
           traces_(traces_of(lights, shard, output)),
           earlier_(sum_of(&LitTrace::earlier)),

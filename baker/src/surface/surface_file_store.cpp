@@ -42,6 +42,7 @@ bool is_sound(const FitBasis& basis)
                            return is_within(s.pivot, kReach) && is_within(s.corner, kReach) &&
                                   is_within(s.across, kReach) && is_within(s.down, kReach);
                        }) &&
+           is_sound(basis.gloss, mesh.patches.size(), mesh.positions.size()) &&
            std::all_of(basis.see_through.begin(), basis.see_through.end(), [](const SeeThroughTexel& t) {
                const Rgb &light = t.behind, &through = t.through;
                return is_within(t.coverage, 1) && is_within(t.open, 1) &&
@@ -83,7 +84,7 @@ void fields(Io& io, FitBasis& basis)
 {
     uint32_t tag = kBasisTag;
     io(tag, basis.mesh, basis.densities, basis.loss, basis.tone, basis.sphere.centre, basis.sphere.radius,
-       basis.see_through, basis.shadows, basis.ground);
+       basis.see_through, basis.shadows, basis.ground, basis.gloss);
     for (const PartShadow& shadow : basis.shadows.shadows) io.require(shadow.part < basis.mesh.parts.size());
     io.require(tag == kBasisTag && basis.densities.size() == basis.mesh.patches.size() && is_sound(basis));
 }

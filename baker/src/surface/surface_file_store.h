@@ -28,6 +28,7 @@ struct FitBasis {
     std::vector<SeeThroughTexel> see_through;  // FitShape
     PartShadows shadows;
     GroundShadow ground;
+    Gloss gloss = {};
 };
 
 // As bytes for checkpoints and shards.

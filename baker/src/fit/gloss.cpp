@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "fit/gloss.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lumi/surface/format.h"
+
+namespace lumi::baker
+{
+namespace
+{
+
+constexpr int kSide = static_cast<int>(detail::format::kGlossSide);
+constexpr float kLeastCosine = 0.25f, kLeastBack = 1.0f / 64;  // as in core
+
+// Across a side of the octahedral square lies the mirrored texel of the same side.
+uint16_t texel_of(int column, int row)
+{
+    if (column < 0 || column >= kSide) {
+        column = column < 0 ? -1 - column : 2 * kSide - 1 - column;
+        row = kSide - 1 - row;
+    }
+    if (row < 0 || row >= kSide) {
+        row = row < 0 ? -1 - row : 2 * kSide - 1 - row;
+        column = kSide - 1 - column;
+    }
+    return static_cast<uint16_t>(row * kSide + column);
+}
+
+// The half vector along the frame's axes, whose normal leads to the eye.
+Vec2 place_in_disc(const GlossCorner& corner, const Vec3& eye, const Frame& camera)
+{
+    const Vec3 to_eye = normalized(eye - corner.position);
+    const float cosine = std::max(dot(corner.normal, to_eye), kLeastCosine);
+    Vec3 half = camera.to_local(corner.normal * (2 * cosine) - to_eye + camera.normal);
+    if (half.z < kLeastBack) half.z = 0;
+    const float size = length(half);
+    return size > 0 ? Vec2{half.x / size, half.y / size} : Vec2{0, 0};
+}
+
+Vec2 octahedral(const Vec3& d)
+{
+    const float sum = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+    const Vec2 place = {d.x / sum, d.y / sum};
+    if (d.z >= 0) return place;
+    return {std::copysign(1 - std::abs(place.y), d.x), std::copysign(1 - std::abs(place.x), d.y)};
+}
+
+}  // namespace
+
+bool is_sound(const Gloss& gloss, size_t patches, size_t vertices)
+{
+    if (!gloss.is_there()) return gloss.choices.empty() && gloss.normals.empty();
+    const size_t maps = gloss.maps.size();
+    return maps <= detail::format::kMaxGlossMaps && gloss.choices.size() == patches &&
+           gloss.normals.size() == vertices &&
+           std::all_of(gloss.maps.begin(), gloss.maps.end(),
+                       [](const GlossMap& m) { return m.texels.size() == detail::format::kGlossMapBytes; }) &&
+           std::all_of(gloss.choices.begin(), gloss.choices.end(), [&](uint8_t c) { return c <= maps; }) &&
+           std::all_of(gloss.normals.begin(), gloss.normals.end(), [](const Vec3& n) { return length(n) <= 1.01f; });
+}
+
+GlossTaps gloss_taps(const std::array<GlossCorner, 3>& corners, const Vec3& eye)
+{
+    const Frame camera(normalized(eye));
+    Vec2 place = {0, 0};
+    for (const GlossCorner& corner : corners) {
+        const Vec2 p = place_in_disc(corner, eye, camera);
+        place = {place.x + corner.weight * p.x, place.y + corner.weight * p.y};
+    }
+    const float back = std::sqrt(std::max(0.0f, 1 - place.x * place.x - place.y * place.y));
+    const Vec2 o = octahedral(camera.to_world({2 * back * place.x, 2 * back * place.y, 2 * back * back - 1}));
+    const float x = (o.x + 1) * kSide / 2 - 0.5f, y = (o.y + 1) * kSide / 2 - 0.5f;
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    const float right = x - static_cast<float>(column), down = y - static_cast<float>(row);
+    return {
+        {texel_of(column, row), texel_of(column + 1, row), texel_of(column, row + 1), texel_of(column + 1, row + 1)},
+        {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down, right * down}};
+}
+
+std::vector<uint8_t> bordered(const std::vector<uint8_t>& texels)
+{
+    std::vector<uint8_t> result;
+    for (int row = -1; row <= kSide; ++row)
+        for (int column = -1; column <= kSide; ++column) result.push_back(texels[texel_of(column, row)]);
+    return result;
+}
+
+}  // namespace lumi::baker

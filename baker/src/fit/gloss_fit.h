@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Finds the gloss maps of a field, if they pay.
+//
+// Texels, view tables and maps are unknowns of one least-squares problem over lines to smooth surfaces: maps that are
+// fitted to what tables leave gain nothing, since tables take the blurred part of a highlight (docs/log/surface.md).
+// Texels are eliminated, and conjugate gradients solve the rest. Each map becomes one colour times bytes. The field's
+// own fit has the maps as they are, and finds texels and tables for the rest of the light.
+#pragma once
+
+#include "fit/fit_shape.h"
+#include "util/job.h"
+
+namespace lumi::baker
+{
+
+// Whether a scene has light with edges that smooth surfaces could mirror: a sky that is a picture, or lamps.
+bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings);
+
+// Nothing where maps take too little of what a field without them is off.
+Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings,
+               const ProgressCallback& progress);
+
+}  // namespace lumi::baker

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "fit/gloss_fit.h"
+
+#include <catch2/catch.hpp>
+
+#include "fit/fit_shape.h"
+#include "lumi/baker/reference.h"
+#include "lumi/baker/surface.h"
+#include "lumi/surface/render.h"
+#include "math/sampler.h"
+#include "math/warp.h"
+#include "support/shapes.h"
+#include "surface/surface_scenes.h"
+
+namespace lumi::baker::testing
+{
+namespace
+{
+
+constexpr int kViewedSide = 64;
+
+Vec3q30 unit_q30(const Vec3& v)
+{
+    const auto number = [](float c) { return static_cast<int32_t>(std::lround(static_cast<double>(c) * kOneQ30)); };
+    return {number(v.x), number(v.y), number(v.z)};
+}
+
+Pose pose_at(const Vec3& direction)
+{
+    const Vec3 back = normalized(direction), right = normalized(cross({0, 0, 1}, back));
+    const auto q20 = [](float c) { return static_cast<int32_t>(std::lround(c * 3 * 1048576)); };
+    return {{q20(back.x), q20(back.y), q20(back.z)}, unit_q30(right), unit_q30(cross(back, right)), unit_q30(-back)};
+}
+
+// As a device draws it.
+std::vector<uint8_t> drawn_by_core(const SurfaceField& field, const Pose& pose, const Image& image)
+{
+    std::vector<SurfaceVertex> vertices(field.vertex_count);
+    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kViewedSide, 4));
+    std::vector<uint32_t> features(feature_words(field)),
+        samples(surface_stripe_bytes(kViewedSide, kViewedSide, SurfaceMode::two_by_two) / 4 + 1);
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(pose, image, camera) == CameraError::none);
+    SurfaceFrame frame;
+    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        field, camera, SurfaceMode::two_by_two, {vertices.data(), links.data(), bands.data(), 4, features.data()},
+        frame);
+    std::vector<uint8_t> pixels(size_t{3} * kViewedSide * kViewedSide);
+    render_surface<PixelRgb888, SurfaceMode::two_by_two, SurfaceFeatures::all>(
+        frame, OverBlack{}, {pixels.data(), 0, 0, kViewedSide, kViewedSide, 3 * kViewedSide}, samples.data());
+    return pixels;
+}
+
+// The mean squared error of pixels that are covered whole.
+double error_of(const Scene& scene, const SurfaceBake& bake)
+{
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    Image image;
+    image.width_px = image.height_px = kViewedSide;
+    image.fov_turns32 = uint32_t{1} << 29;
+    double sum = 0, count = 0;
+    for (const Vec3& from : {Vec3{1, 0.3f, 0.4f}, {-0.4f, 1, 0.1f}, {-0.5f, -0.6f, 1}}) {
+        const Pose pose = pose_at(from);
+        Camera camera;
+        REQUIRE(make_camera(pose, image, camera) == CameraError::none);
+        const RgbaImage truth = render_reference(scene, camera, {32, 1, 2});
+        const std::vector<uint8_t> shown = drawn_by_core(field, pose, image);
+        for (size_t k = 0; k < size_t{kViewedSide} * kViewedSide; ++k) {
+            if (truth.rgba[4 * k + 3] != 255) continue;
+            for (size_t c = 0; c < 3; ++c) {
+                const double off = static_cast<double>(shown[3 * k + c]) - truth.rgba[4 * k + c];
+                sum += off * off / 3;
+            }
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
+Scene lacquered_ball(const Environment& environment)
+{
+    SceneMaker maker;
+    maker.ball(maker.add(glossy({0.3f, 0.02f, 0.02f}, 0.15f)), {0, 0, 0}, 0.9f, 40);
+    maker.span_unit_sphere();
+    return maker.make(environment);
+}
+
+SurfacePlan gloss_plan(const Scene& scene)
+{
+    SurfaceSettings s = tiny_surface();
+    s.triangles = 500;
+    s.longest_edge = 0.3f;
+    s.texels_per_radius = 12;
+    s.paths_per_texel = 30;
+    s.threads = 2;
+    return planned(scene, s);
+}
+
+bool has_gloss(const SurfaceBake& bake)
+{
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    return gloss_count(field) != 0;
+}
+
+}  // namespace
+
+TEST_CASE("taps of gloss lie around the mirrored direction", "[fit]")
+{
+    Sampler sampler(3, 1, 4);
+    float worst = 0;
+    for (uint32_t k = 0; k < 2000; ++k) {
+        sampler.start(k);
+        const Vec3 normal = square_to_sphere(sampler.next_2d()), position = square_to_sphere(sampler.next_2d()) * 0.9f,
+                   eye = square_to_sphere(sampler.next_2d()) * 3, to_eye = normalized(eye - position);
+        if (dot(normal, to_eye) < 0.3f) continue;
+        const Vec3 mirrored = normal * (2 * dot(normal, to_eye)) - to_eye;
+        const GlossCorner corner = {position, normal, 1.0f / 3};
+        const GlossTaps taps = gloss_taps({corner, corner, corner}, eye);
+        Vec3 mean;
+        float all = 0;
+        for (size_t t = 0; t < 4; ++t) {
+            constexpr uint32_t kTexels = detail::format::kGlossSide;
+            const auto place = [](uint32_t step) { return (2 * static_cast<float>(step) + 1) / kTexels - 1; };
+            Vec3 d = {place(taps.texels[t] % kTexels), place(taps.texels[t] / kTexels), 0};
+            d.z = 1 - std::abs(d.x) - std::abs(d.y);
+            if (d.z < 0) d = {std::copysign(1 - std::abs(d.y), d.x), std::copysign(1 - std::abs(d.x), d.y), d.z};
+            mean = mean + normalized(d) * taps.weights[t];
+            all += taps.weights[t];
+        }
+        CHECK(std::abs(all - 1) < 1e-4f);
+        worst = std::max(worst, length(normalized(mean) - mirrored));
+    }
+    CHECK(worst < 0.06f);  // half a texel is 4°
+}
+
+TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most of the error away", "[statistics]")
+{
+    const Scene scene = lacquered_ball(*named_environment("softboxes"));
+    SurfacePlan plan = gloss_plan(scene);
+    const SurfaceBake with = surface_field(scene, plan);
+    REQUIRE(has_gloss(with));
+    plan.settings.draft = true;  // a first look has none
+    const SurfaceBake without = surface_field(scene, plan);
+    CHECK(!has_gloss(without));
+    const double error_with = error_of(scene, with), error_without = error_of(scene, without);
+    INFO(error_with << " for " << error_without);
+    CHECK(error_with < 0.6 * error_without);
+    plan.settings.draft = false;
+    plan.settings.threads = 1;
+    CHECK((surface_field(scene, plan).file == with.file));
+}
+
+TEST_CASE("there is no gloss map where nothing that is mirrored has edges, or view tables are left out", "[fit]")
+{
+    const Scene even = lacquered_ball(gradient_environment()), boxes = lacquered_ball(*named_environment("softboxes"));
+    const PatchMesh mesh;
+    SurfaceSettings settings;
+    CHECK(may_gloss(boxes.data(), mesh, settings));
+    CHECK(!may_gloss(even.data(), mesh, settings));
+    settings.view_tables = false;
+    CHECK(!may_gloss(boxes.data(), mesh, settings));
+}
+
+}  // namespace lumi::baker::testing
