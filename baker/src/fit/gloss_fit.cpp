@@ -211,46 +211,112 @@ double squares(const Colours& y)
     return p[0] + p[1] + p[2];
 }
 
-struct Solved {
-    Colours unknowns;
-    double squares;  // of what is left
+// Conjugate gradients with the diagonal as preconditioner, each channel by itself, as far as they came.
+struct GlossGradients {
+    Colours unknowns, residual, direction;
+    std::array<double, 3> products{};  // of the residual and what the preconditioner makes of it
 };
 
-// Conjugate gradients with the diagonal as preconditioner, each channel by itself.
-Solved solve(const Equations& e, Colours levels)
+template <class Io>
+void fields(Io& io, GlossGradients& g)
 {
-    constexpr int kRounds = 30;
-    e.take_means(levels);
-    Colours x(e.unknowns()), r = e.gathered(levels), z(r.size());
-    const auto precondition = [&] {
-        for (size_t k = 0; k < r.size(); ++k)
-            for (size_t c = 0; c < 3; ++c) z[k][c] = r[k][c] / e.diagonal(k);
-    };
-    precondition();
-    Colours p = z;
-    std::array<double, 3> rz = products(r, z);
-    for (int round = 0; round < kRounds; ++round) {
-        Colours q = e.gathered(e.shown(p));
-        e.add_smoothness(p, q);
-        const std::array<double, 3> pq = products(p, q);
+    io(g.unknowns, g.residual, g.direction, g.products);
+}
+
+class GlossSolver
+{
+public:
+    // `levels` are less the mean of each texel.
+    GlossSolver(const Equations& equations, const Colours& levels) : equations_(equations), levels_(levels) {}
+
+    GlossGradients begun() const
+    {
+        GlossGradients g = {Colours(equations_.unknowns()), equations_.gathered(levels_), {}};
+        g.direction = preconditioned(g.residual);
+        g.products = products(g.residual, g.direction);
+        return g;
+    }
+
+    void advance(GlossGradients& g) const
+    {
+        Colours q = equations_.gathered(equations_.shown(g.direction));
+        equations_.add_smoothness(g.direction, q);
+        const std::array<double, 3> pq = products(g.direction, q);
         std::array<float, 3> step{}, keep{};
-        for (size_t c = 0; c < 3; ++c) step[c] = pq[c] > 0 ? static_cast<float>(rz[c] / pq[c]) : 0;
-        for (size_t k = 0; k < x.size(); ++k) {
+        for (size_t c = 0; c < 3; ++c) step[c] = pq[c] > 0 ? static_cast<float>(g.products[c] / pq[c]) : 0;
+        for (size_t k = 0; k < g.unknowns.size(); ++k) {
             for (size_t c = 0; c < 3; ++c) {
-                x[k][c] += step[c] * p[k][c];
-                r[k][c] -= step[c] * q[k][c];
+                g.unknowns[k][c] += step[c] * g.direction[k][c];
+                g.residual[k][c] -= step[c] * q[k][c];
             }
         }
-        precondition();
-        const std::array<double, 3> next = products(r, z);
-        for (size_t c = 0; c < 3; ++c) keep[c] = rz[c] > 0 ? static_cast<float>(next[c] / rz[c]) : 0;
-        rz = next;
-        for (size_t k = 0; k < p.size(); ++k)
-            for (size_t c = 0; c < 3; ++c) p[k][c] = z[k][c] + keep[c] * p[k][c];
+        const Colours z = preconditioned(g.residual);
+        const std::array<double, 3> next = products(g.residual, z);
+        for (size_t c = 0; c < 3; ++c) keep[c] = g.products[c] > 0 ? static_cast<float>(next[c] / g.products[c]) : 0;
+        g.products = next;
+        for (size_t k = 0; k < z.size(); ++k)
+            for (size_t c = 0; c < 3; ++c) g.direction[k][c] = z[k][c] + keep[c] * g.direction[k][c];
     }
-    const Colours shown = e.shown(x);
-    for (size_t k = 0; k < levels.size(); ++k) levels[k] = levels[k] - shown[k];
-    return {std::move(x), squares(levels)};
+
+    double squares_left(const Colours& unknowns) const
+    {
+        const Colours shown = equations_.shown(unknowns);
+        Colours left = levels_;
+        for (size_t k = 0; k < left.size(); ++k) left[k] = left[k] - shown[k];
+        return squares(left);
+    }
+
+private:
+    Colours preconditioned(const Colours& r) const
+    {
+        Colours z(r.size());
+        for (size_t k = 0; k < r.size(); ++k)
+            for (size_t c = 0; c < 3; ++c) z[k][c] = r[k][c] / equations_.diagonal(k);
+        return z;
+    }
+
+    const Equations& equations_;
+    const Colours& levels_;
+};
+
+// Two problems that are solved side by side.
+struct GlossSteps {
+    GlossGradients with, without;
+};
+
+template <class Io>
+void fields(Io& io, GlossSteps& steps)
+{
+    io(steps.with, steps.without);
+}
+
+bool are_of(const GlossGradients& g, const Equations& equations)
+{
+    const size_t unknowns = equations.unknowns();
+    return g.unknowns.size() == unknowns && g.residual.size() == unknowns && g.direction.size() == unknowns;
+}
+
+// The unknowns with maps and without.
+GlossSteps solved_both(const Equations& with, const Equations& without, const Colours& levels, BakeStages& stages,
+                       Job& job)
+{
+    constexpr uint32_t kRounds = 30, kRoundsAtOnce = 5;
+    const GlossSolver solvers[] = {GlossSolver(with, levels), GlossSolver(without, levels)};
+    const auto require_shape = [&](const GlossSteps& s) {
+        stages.require_shape(are_of(s.with, with) && are_of(s.without, without));
+    };
+    const auto advance = [&](uint32_t k, GlossSteps& steps) {
+        if (k != 0) require_shape(steps);
+        job.run(2, [&](uint32_t one) {
+            GlossGradients& g = one == 0 ? steps.with : steps.without;
+            if (k == 0) g = solvers[one].begun();
+            for (uint32_t round = 0; round < kRoundsAtOnce; ++round) solvers[one].advance(g);
+        });
+        return true;
+    };
+    GlossSteps steps = stages.in_steps<GlossSteps>("gloss", kRounds / kRoundsAtOnce, advance);
+    require_shape(steps);
+    return steps;
 }
 
 // The direction in which colours differ most, of unit length, its sum positive: by the power method.
@@ -369,14 +435,14 @@ bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSetti
            scene.states.names.empty() && !scene.medium;
 }
 
-Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings,
+Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, BakeStages& stages,
                const ProgressCallback& progress)
 {
     constexpr size_t kFewest = 1000;
     if (!may_gloss(scene, shape.mesh, settings)) return {};
     Job job(1, settings.threads, progress);
-    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 3);
-    const GlossLines all = gloss_lines(scene, shape, settings, job);
+    const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 20);
+    const GlossLines all = gloss_lines(scene, shape, settings, stages, job);
     const std::vector<GlossLine>& lines = all.lines;
     if (lines.size() < kFewest) return {};
     const std::vector<uint8_t> choices = choices_of(all, scene.materials.size());
@@ -389,10 +455,12 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
     }
     const uint32_t maps = *std::max_element(choices.begin(), choices.end());
     const Equations with(shape, lines, normals, choices, maps), without(shape, lines, normals, choices, 0);
-    Solved best, plain;
-    job.run(2, [&](uint32_t k) { (k == 0 ? best : plain) = solve(k == 0 ? with : without, levels); });
-    if (!pays(best.squares, plain.squares, noise)) return {};
-    return kept_maps(with, best.unknowns, choices, normals);
+    with.take_means(levels);
+    const GlossSteps solved = solved_both(with, without, levels, stages, job);
+    const double left = GlossSolver(with, levels).squares_left(solved.with.unknowns),
+                 without_maps = GlossSolver(without, levels).squares_left(solved.without.unknowns);
+    if (!pays(left, without_maps, noise)) return {};
+    return kept_maps(with, solved.with.unknowns, choices, normals);
 }
 
 }  // namespace lumi::baker

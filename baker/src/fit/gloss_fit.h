@@ -8,6 +8,7 @@
 #pragma once
 
 #include "fit/fit_shape.h"
+#include "store/bake_stages.h"
 #include "util/job.h"
 
 namespace lumi::baker
@@ -16,8 +17,9 @@ namespace lumi::baker
 // Whether a scene has light with edges that smooth surfaces could mirror: a sky that is a picture, or lamps.
 bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings);
 
-// Nothing where maps take too little of what a field without them is off.
-Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings,
+// Nothing where maps take too little of what a field without them is off. A bake that is killed meanwhile goes on from
+// what `stages` kept.
+Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, BakeStages& stages,
                const ProgressCallback& progress);
 
 }  // namespace lumi::baker

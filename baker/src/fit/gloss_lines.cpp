@@ -128,6 +128,24 @@ private:
     std::vector<bool> smooth_;
 };
 
+using Batches = std::vector<std::vector<GlossLine>>;
+constexpr char kKept[] = "gloss lines";
+
+// Whether all lie on the mesh.
+bool are_of(const Batches& batches, const FitShape& shape, const SceneData& scene)
+{
+    return std::all_of(
+        batches.begin(), batches.end(),
+        [&](const std::vector<GlossLine>& batch) {
+            return std::all_of(
+                batch.begin(), batch.end(),
+                [&](const GlossLine& line) {
+                    return line.triangle / 2 < shape.mesh.patches.size() && line.texel < shape.layout.texels &&
+                           line.material < scene.materials.size();
+                });
+        });
+}
+
 }  // namespace
 
 bool is_smooth(const Material& material)
@@ -139,13 +157,24 @@ bool is_smooth(const Material& material)
     return (shines || material.coat > 0) && is_sharp && !material.glass && !material.may_pass();
 }
 
-GlossLines gloss_lines(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, Job& job)
+GlossLines gloss_lines(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings,
+                       BakeStages& stages, Job& job)
 {
+    constexpr uint32_t kBatchesAtOnce = 50;
     const LineTracer tracer(scene, shape, settings);
     const uint32_t wanted = shape.layout.texels * kLinesATexel / kLinesABatch;
     const uint32_t count = std::clamp(wanted, kFewestBatches, kMostBatches);
-    std::vector<std::vector<GlossLine>> batches(count);
-    job.run(count, [&](uint32_t k) { batches[k] = tracer.batch(k); });
+    Batches batches;
+    for (uint32_t first = 0; first < count; first += kBatchesAtOnce) {
+        const auto make = [&] {
+            Batches some(std::min(kBatchesAtOnce, count - first));
+            job.run(static_cast<uint32_t>(some.size()), [&](uint32_t k) { some[k] = tracer.batch(first + k); });
+            return some;
+        };
+        Batches some = stages.once<Batches>(kKept, make, first);
+        stages.require_shape(are_of(some, shape, scene));
+        std::move(some.begin(), some.end(), std::back_inserter(batches));
+    }
     GlossLines result;
     result.others.resize(shape.mesh.patches.size());
     for (const std::vector<GlossLine>& batch : batches) {
@@ -158,6 +187,11 @@ GlossLines gloss_lines(const SceneData& scene, const FitShape& shape, const Surf
     std::stable_sort(result.lines.begin(), result.lines.end(),
                      [](const GlossLine& a, const GlossLine& b) { return a.texel < b.texel; });
     return result;
+}
+
+void forget_gloss_lines(BakeStages& stages)
+{
+    stages.forget_from(kKept, uint32_t{0});
 }
 
 }  // namespace lumi::baker

@@ -4,6 +4,7 @@
 
 #include "fit/encoded_tone.h"
 #include "fit/fit_shape.h"
+#include "store/bake_stages.h"
 #include "util/job.h"
 
 namespace lumi::baker
@@ -19,6 +20,13 @@ struct GlossLine {
     float noise;         // the sum of the channels' variances
 };
 
+template <class Io>
+void fields(Io& io, GlossLine& line)
+{
+    io(line.triangle, line.texel, line.material, line.second, line.third, line.eye, line.normal, line.levels,
+       line.noise);
+}
+
 // Whether a material mirrors something that is sharper than view tables are.
 bool is_smooth(const Material& material);
 
@@ -27,7 +35,10 @@ struct GlossLines {
     std::vector<uint32_t> others;  // by patch: how many lines met something that is not smooth there
 };
 
-// Uniform over all lines that meet the unit sphere.
-GlossLines gloss_lines(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, Job& job);
+// Uniform over all lines that meet the unit sphere. A bake that is killed meanwhile goes on from what `stages` kept.
+GlossLines gloss_lines(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings,
+                       BakeStages& stages, Job& job);
+// Forgets what they kept, and all since then.
+void forget_gloss_lines(BakeStages& stages);
 
 }  // namespace lumi::baker

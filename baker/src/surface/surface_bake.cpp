@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "fit/gloss_fit.h"
+#include "fit/gloss_lines.h"
 #include "fit/light_fit.h"
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"
@@ -85,7 +86,7 @@ std::vector<DensityLight> density_lights(const SceneData& scene, const std::vect
 }
 
 FitBasis basis_of(const SceneData& scene, const std::vector<Lit>& lights, const BuiltMesh& built,
-                  const SurfaceSettings& settings, const ProgressCallback& progress)
+                  const SurfaceSettings& settings, BakeStages& stages, const ProgressCallback& progress)
 {
     JobSeries jobs(as_stage(Stage::mesh, progress));
     FitBasis basis = {built.mesh,
@@ -97,7 +98,7 @@ FitBasis basis_of(const SceneData& scene, const std::vector<Lit>& lights, const 
                       part_shadows(scene, built.mesh, settings, jobs.next()),
                       ground_shadow(scene, built.mesh, settings, jobs.next())};
     basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
-    basis.gloss = gloss_of(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
+    basis.gloss = gloss_of(scene, FitShape(basis.mesh, basis.densities), settings, stages, jobs.next());
     return basis;
 }
 
@@ -119,8 +120,11 @@ FitBasis basis_for(const Scene& scene, const std::vector<Lit>& lights, const Sur
     Keeper* const keeper = lights[0].keeper;
     if (std::optional<FitBasis> kept = keeper != nullptr ? keeper->store().read_basis() : std::nullopt)
         return std::move(*kept);
-    FitBasis basis = basis_of(scene.data(), lights, *mesh_of(scene, plan, output, progress), plan.settings, progress);
+    const std::shared_ptr<const BuiltMesh> built = mesh_of(scene, plan, output, progress);
+    BakeStages stages(output.empty() ? output : stages_of(output), scene.fingerprint(), plan.settings);
+    FitBasis basis = basis_of(scene.data(), lights, *built, plan.settings, stages, progress);
     if (keeper != nullptr) keeper->store().write_basis(basis);
+    forget_gloss_lines(stages);
     return basis;
 }
 

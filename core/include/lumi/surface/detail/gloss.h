@@ -18,7 +18,7 @@ namespace lumi::detail
 inline uint32_t gloss_of(const SurfaceField& field, uint32_t patch)
 {
     const uint8_t* const choices = field.gloss + format::gloss_choices_at(gloss_count(field));
-    return choices[patch >> 2] >> (2 * (patch & 3)) & 3u;
+    return uint32_t{choices[patch >> 2]} >> (2 * (patch & 3)) & 3u;
 }
 
 // Where a frame's gloss lies in its memory: fields with gloss have neither parts nor states.
