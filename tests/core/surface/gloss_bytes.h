@@ -48,7 +48,7 @@ inline TestSection gloss_section(const TestGloss& g)
 {
     Bytes b;
     put32(b, static_cast<uint32_t>(g.gains.size()));
-    for (const std::array<uint8_t, 3>& gain : g.gains) put32(b, gain[0] | gain[1] << 8 | gain[2] << 16);
+    for (const std::array<uint8_t, 3>& gain : g.gains) put32(b, gain[0] + 256u * gain[1] + 65536u * gain[2]);
     for (const Bytes& map : g.maps) b.insert(b.end(), map.begin(), map.end());
     for (size_t k = 0; k < g.choices.size(); k += 4) {
         uint32_t four = 0;
