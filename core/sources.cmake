@@ -34,11 +34,12 @@ set(LUMI_CORE_SOURCES
   src/surface/coverage.cpp
   src/surface/fill.cpp
   src/surface/frame.cpp
-  src/surface/gloss.cpp
-  src/surface/gloss_records.cpp
-  src/surface/gloss_rows_565.cpp
-  src/surface/gloss_rows_packed.cpp
-  src/surface/gloss_rows_swapped.cpp
+  src/surface/gloss/discs.cpp
+  src/surface/gloss/pieces.cpp
+  src/surface/gloss/records.cpp
+  src/surface/gloss/rows_565.cpp
+  src/surface/gloss/rows_packed.cpp
+  src/surface/gloss/rows_swapped.cpp
   src/surface/halves.cpp
   src/surface/wide.cpp
   src/surface/outlines.cpp

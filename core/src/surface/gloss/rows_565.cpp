@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Opaque triangles with gloss over samples that hold a pixel in 5, 6 and 5 bits, low byte first.
-#include "surface/gloss_rows.h"
+#include "surface/gloss/rows.h"
 
 namespace lumi::detail
 {

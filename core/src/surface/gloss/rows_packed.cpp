@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Opaque triangles with gloss over samples that hold a PackedColour.
-#include "surface/gloss_rows.h"
+#include "surface/gloss/rows.h"
 
 namespace lumi::detail
 {
