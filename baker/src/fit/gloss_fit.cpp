@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/gloss_lines.h"
+#include "fit/gloss_equations.h"
 #include "lumi/surface/format.h"
 
 namespace lumi::baker
@@ -13,21 +13,9 @@ namespace lumi::baker
 namespace
 {
 
-using detail::format::kViewNodes;
-constexpr uint32_t kTexels = detail::format::kGlossSide * detail::format::kGlossSide;
+using Colours = GlossColours;
+constexpr uint32_t kTexels = kGlossTexels;
 constexpr uint8_t kNoMap = 0;
-
-using Colours = std::vector<LevelColour>;
-
-LevelColour operator-(const LevelColour& a, const LevelColour& b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-void add(LevelColour& sum, const LevelColour& c, float weight)
-{
-    for (size_t k = 0; k < 3; ++k) sum[k] += weight * c[k];
-}
 
 // Mean normals of the lines at the vertices, in the sense of least squares over the triangles: by Jacobi's method.
 std::vector<Vec3> normals_of(const FitShape& shape, const std::vector<GlossLine>& lines)
@@ -59,226 +47,6 @@ std::vector<Vec3> normals_of(const FitShape& shape, const std::vector<GlossLine>
     return normals;
 }
 
-// Neighbours among the nodes of a view table: directions at most 32° apart.
-std::vector<std::pair<uint32_t, uint32_t>> node_neighbours()
-{
-    constexpr float kNear = 0.85f;
-    std::vector<Vec3> nodes;
-    for (uint32_t k = 0; k < kViewNodes; ++k) {
-        const double z = 1 - (2.0 * k + 1) / detail::format::kViewLattice, r = std::sqrt(1 - z * z);
-        const double turn = k * 0.6180339887498949 * 2 * 3.141592653589793;
-        nodes.push_back(
-            {static_cast<float>(r * std::cos(turn)), static_cast<float>(r * std::sin(turn)), static_cast<float>(z)});
-    }
-    std::vector<std::pair<uint32_t, uint32_t>> pairs;
-    for (uint32_t a = 0; a < kViewNodes; ++a)
-        for (uint32_t b = a + 1; b < kViewNodes; ++b)
-            if (dot(nodes[a], nodes[b]) > kNear) pairs.push_back({a, b});
-    return pairs;
-}
-
-// The equations of the lines: a line's levels are those of its texel, of nine nodes and of four texels of a map.
-class Equations
-{
-public:
-    struct Row {
-        std::array<uint32_t, 9> nodes;
-        std::array<float, 9> weights;
-        std::array<uint32_t, 4> texels;  // of all maps
-        std::array<float, 4> shares;     // 0 without a map
-    };
-
-    // `choices` by patch.
-    Equations(const FitShape& shape, const std::vector<GlossLine>& lines, const std::vector<Vec3>& normals,
-              const std::vector<uint8_t>& choices, uint32_t maps)
-        : nodes_(shape.mesh.positions.size() * kViewNodes), map_texels_(maps * kTexels), neighbours_(node_neighbours())
-    {
-        for (const GlossLine& l : lines) rows_.push_back(row_of(shape, l, normals, choices[l.triangle / 2]));
-        for (size_t k = 0; k < lines.size(); ++k)
-            if (k == 0 || lines[k].texel != lines[k - 1].texel) begins_.push_back(k);
-        begins_.push_back(lines.size());
-        for (size_t k = 0; k < unknowns(); ++k)
-            diagonal_.push_back(k < nodes_ ? kNodeWorth + 6 * kNodeBend : 4 * kMapBend);
-        for (const Row& r : rows_)
-            each_unknown(r, [&](size_t unknown, float weight) { diagonal_[unknown] += weight * weight; });
-    }
-
-    size_t unknowns() const { return nodes_ + map_texels_; }
-    size_t nodes() const { return nodes_; }
-
-    // What unknowns make of the lines, less the mean of each texel.
-    Colours shown(const Colours& x) const
-    {
-        Colours y(rows_.size());
-        for (size_t k = 0; k < rows_.size(); ++k)
-            each_unknown(rows_[k], [&](size_t unknown, float weight) { add(y[k], x[unknown], weight); });
-        take_means(y);
-        return y;
-    }
-    void take_means(Colours& y) const
-    {
-        for (size_t t = 0; t + 1 < begins_.size(); ++t) {
-            LevelColour mean{};
-            const float share = 1 / static_cast<float>(begins_[t + 1] - begins_[t]);
-            for (size_t k = begins_[t]; k < begins_[t + 1]; ++k) add(mean, y[k], share);
-            for (size_t k = begins_[t]; k < begins_[t + 1]; ++k) y[k] = y[k] - mean;
-        }
-    }
-    // The transpose.
-    Colours gathered(const Colours& y) const
-    {
-        Colours x(unknowns());
-        for (size_t k = 0; k < rows_.size(); ++k)
-            each_unknown(rows_[k], [&](size_t unknown, float weight) { add(x[unknown], y[k], weight); });
-        return x;
-    }
-    // Adds what keeps unknowns smooth: neighbours are alike.
-    void add_smoothness(const Colours& x, Colours& sum) const
-    {
-        const auto tie = [&](size_t a, size_t b, float worth) {
-            const LevelColour off = x[a] - x[b];
-            add(sum[a], off, worth);
-            add(sum[b], off, -worth);
-        };
-        for (size_t k = 0; k < nodes_; ++k) add(sum[k], x[k], kNodeWorth);
-        for (size_t first = 0; first < nodes_; first += kViewNodes)
-            for (const auto& [a, b] : neighbours_) tie(first + a, first + b, kNodeBend);
-        for (size_t k = nodes_; k < unknowns(); ++k) {
-            add(sum[k], x[k], kMapWorth);
-            const size_t place = (k - nodes_) % kTexels;
-            if (place % detail::format::kGlossSide + 1 < detail::format::kGlossSide) tie(k, k + 1, kMapBend);
-            if (place / detail::format::kGlossSide + 1 < detail::format::kGlossSide)
-                tie(k, k + detail::format::kGlossSide, kMapBend);
-        }
-    }
-    float diagonal(size_t unknown) const { return diagonal_[unknown]; }
-
-private:
-    // In lines.
-    static constexpr float kNodeWorth = 0.05f, kNodeBend = 0.15f, kMapWorth = 0.02f, kMapBend = 1;
-
-    Row row_of(const FitShape& shape, const GlossLine& l, const std::vector<Vec3>& normals, uint8_t choice) const
-    {
-        Row row{};
-        const std::array<float, 3> weights = {1 - l.second - l.third, l.second, l.third};
-        const auto step = [](float v) { return static_cast<int16_t>(std::lround(v * kEyeScale)); };
-        const EyePoint eye = {step(l.eye.x), step(l.eye.y), step(l.eye.z)};
-        std::array<GlossCorner, 3> corners;
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t v = shape.vertex(l.triangle / 2, FitShape::patch_corner(l.triangle, k));
-            const detail::ViewTaps taps = shape.taps(v, eye);
-            for (size_t tap = 0; tap < 3; ++tap) {
-                row.nodes[3 * k + tap] = v * kViewNodes + taps.node[tap];
-                row.weights[3 * k + tap] = weights[k] * static_cast<float>(taps.weight_q8[tap]) / 256;
-            }
-            corners[k] = {shape.mesh.positions[v], normals[v], weights[k]};
-        }
-        if (choice == kNoMap) return row;
-        const GlossTaps taps = gloss_taps(corners, l.eye);
-        for (size_t k = 0; k < 4; ++k) {
-            row.texels[k] = (choice - 1u) * kTexels + taps.texels[k];
-            row.shares[k] = taps.weights[k];
-        }
-        return row;
-    }
-
-    template <class Function>
-    void each_unknown(const Row& r, Function f) const
-    {
-        for (size_t k = 0; k < r.nodes.size(); ++k) f(r.nodes[k], r.weights[k]);
-        if (map_texels_ == 0) return;
-        for (size_t k = 0; k < r.texels.size(); ++k) f(nodes_ + r.texels[k], r.shares[k]);
-    }
-
-    const size_t nodes_, map_texels_;
-    const std::vector<std::pair<uint32_t, uint32_t>> neighbours_;
-    std::vector<Row> rows_;
-    std::vector<size_t> begins_;  // rows of a texel, and the end
-    std::vector<float> diagonal_;
-};
-
-std::array<double, 3> products(const Colours& a, const Colours& b)
-{
-    std::array<double, 3> sum{};
-    for (size_t k = 0; k < a.size(); ++k)
-        for (size_t c = 0; c < 3; ++c) sum[c] += static_cast<double>(a[k][c]) * static_cast<double>(b[k][c]);
-    return sum;
-}
-
-double squares(const Colours& y)
-{
-    const std::array<double, 3> p = products(y, y);
-    return p[0] + p[1] + p[2];
-}
-
-// Conjugate gradients with the diagonal as preconditioner, each channel by itself, as far as they came.
-struct GlossGradients {
-    Colours unknowns, residual, direction;
-    std::array<double, 3> products{};  // of the residual and what the preconditioner makes of it
-};
-
-template <class Io>
-void fields(Io& io, GlossGradients& g)
-{
-    io(g.unknowns, g.residual, g.direction, g.products);
-}
-
-class GlossSolver
-{
-public:
-    // `levels` are less the mean of each texel.
-    GlossSolver(const Equations& equations, const Colours& levels) : equations_(equations), levels_(levels) {}
-
-    GlossGradients begun() const
-    {
-        GlossGradients g = {Colours(equations_.unknowns()), equations_.gathered(levels_), {}};
-        g.direction = preconditioned(g.residual);
-        g.products = products(g.residual, g.direction);
-        return g;
-    }
-
-    void advance(GlossGradients& g) const
-    {
-        Colours q = equations_.gathered(equations_.shown(g.direction));
-        equations_.add_smoothness(g.direction, q);
-        const std::array<double, 3> pq = products(g.direction, q);
-        std::array<float, 3> step{}, keep{};
-        for (size_t c = 0; c < 3; ++c) step[c] = pq[c] > 0 ? static_cast<float>(g.products[c] / pq[c]) : 0;
-        for (size_t k = 0; k < g.unknowns.size(); ++k) {
-            for (size_t c = 0; c < 3; ++c) {
-                g.unknowns[k][c] += step[c] * g.direction[k][c];
-                g.residual[k][c] -= step[c] * q[k][c];
-            }
-        }
-        const Colours z = preconditioned(g.residual);
-        const std::array<double, 3> next = products(g.residual, z);
-        for (size_t c = 0; c < 3; ++c) keep[c] = g.products[c] > 0 ? static_cast<float>(next[c] / g.products[c]) : 0;
-        g.products = next;
-        for (size_t k = 0; k < z.size(); ++k)
-            for (size_t c = 0; c < 3; ++c) g.direction[k][c] = z[k][c] + keep[c] * g.direction[k][c];
-    }
-
-    double squares_left(const Colours& unknowns) const
-    {
-        const Colours shown = equations_.shown(unknowns);
-        Colours left = levels_;
-        for (size_t k = 0; k < left.size(); ++k) left[k] = left[k] - shown[k];
-        return squares(left);
-    }
-
-private:
-    Colours preconditioned(const Colours& r) const
-    {
-        Colours z(r.size());
-        for (size_t k = 0; k < r.size(); ++k)
-            for (size_t c = 0; c < 3; ++c) z[k][c] = r[k][c] / equations_.diagonal(k);
-        return z;
-    }
-
-    const Equations& equations_;
-    const Colours& levels_;
-};
-
 // Two problems that are solved side by side.
 struct GlossSteps {
     GlossGradients with, without;
@@ -290,15 +58,15 @@ void fields(Io& io, GlossSteps& steps)
     io(steps.with, steps.without);
 }
 
-bool are_of(const GlossGradients& g, const Equations& equations)
+bool are_of(const GlossGradients& g, const GlossEquations& equations)
 {
     const size_t unknowns = equations.unknowns();
     return g.unknowns.size() == unknowns && g.residual.size() == unknowns && g.direction.size() == unknowns;
 }
 
 // The unknowns with maps and without.
-GlossSteps solved_both(const Equations& with, const Equations& without, const Colours& levels, BakeStages& stages,
-                       Job& job)
+GlossSteps solved_both(const GlossEquations& with, const GlossEquations& without, const Colours& levels,
+                       BakeStages& stages, Job& job)
 {
     constexpr uint32_t kRounds = 30, kRoundsAtOnce = 5;
     const GlossSolver solvers[] = {GlossSolver(with, levels), GlossSolver(without, levels)};
@@ -340,7 +108,7 @@ GlossMap map_of(Colours colours, float& range)
 {
     LevelColour mean{};
     for (const LevelColour& c : colours) add(mean, c, 1.0f / kTexels);
-    for (LevelColour& c : colours) c = c - mean;
+    for (LevelColour& c : colours) c = difference(c, mean);
     const LevelColour direction = main_direction(colours);
     std::vector<float> along;
     for (const LevelColour& c : colours)
@@ -381,7 +149,7 @@ std::vector<uint8_t> choices_of(const GlossLines& all, size_t materials)
 }
 
 // What each map alone adds to the lines, squared.
-std::vector<double> shares_of_maps(const Equations& e, const Colours& unknowns)
+std::vector<double> shares_of_maps(const GlossEquations& e, const Colours& unknowns)
 {
     std::vector<double> shares;
     for (size_t first = e.nodes(); first < unknowns.size(); first += kTexels) {
@@ -394,7 +162,8 @@ std::vector<double> shares_of_maps(const Equations& e, const Colours& unknowns)
 }
 
 // Keeps maps that show something beside the others, numbered anew.
-Gloss kept_maps(const Equations& e, const Colours& unknowns, std::vector<uint8_t> choices, std::vector<Vec3> normals)
+Gloss kept_maps(const GlossEquations& e, const Colours& unknowns, std::vector<uint8_t> choices,
+                std::vector<Vec3> normals)
 {
     constexpr float kLeastRange = 16;     // levels along the main direction
     constexpr double kLeastShare = 0.15;  // of what all add
@@ -418,12 +187,54 @@ Gloss kept_maps(const Equations& e, const Colours& unknowns, std::vector<uint8_t
     return gloss;
 }
 
-// Of the squared error of a field without maps, less the noise of the lines, maps leave at most so much.
-constexpr double kMostLeft = 0.85;
+// Lines that are fitted, and others that judge.
+struct SplitLines {
+    explicit SplitLines(const std::vector<GlossLine>& lines)
+    {
+        constexpr size_t kOneOf = 5;
+        for (size_t k = 0; k < lines.size(); ++k) (k % kOneOf == 0 ? judging : fitted).push_back(lines[k]);
+    }
+    std::vector<GlossLine> fitted, judging;  // by texel
+};
 
-bool pays(double with, double without, double noise)
+GlossColours levels_of(const std::vector<GlossLine>& lines)
 {
-    return with - noise < kMostLeft * (without - noise);
+    GlossColours levels;
+    for (const GlossLine& l : lines) levels.push_back(l.levels);
+    return levels;
+}
+
+// The mean of what fitted lines leave to each texel, and how many they are.
+struct TexelMean {
+    LevelColour sum{};
+    float lines = 0;
+};
+
+std::vector<TexelMean> texel_means(const std::vector<GlossLine>& fitted, const GlossColours& shown, uint32_t texels)
+{
+    std::vector<TexelMean> means(texels);
+    for (size_t k = 0; k < fitted.size(); ++k) {
+        TexelMean& mean = means[fitted[k].texel];
+        add(mean.sum, difference(fitted[k].levels, shown[k]), 1);
+        ++mean.lines;
+    }
+    return means;
+}
+
+// The squared error of judging lines to texels that have fitted ones, less what noise makes of it.
+double judged(const SplitLines& lines, const GlossColours& shown, const GlossColours& shown_to_judge, uint32_t texels)
+{
+    const std::vector<TexelMean> means = texel_means(lines.fitted, shown, texels);
+    double sum = 0;
+    for (size_t k = 0; k < lines.judging.size(); ++k) {
+        const GlossLine& line = lines.judging[k];
+        const TexelMean& mean = means[line.texel];
+        if (mean.lines == 0) continue;
+        LevelColour off = difference(line.levels, shown_to_judge[k]);
+        add(off, mean.sum, -1 / mean.lines);
+        sum += squares({off}) - static_cast<double>(line.noise * (1 + 1 / mean.lines));
+    }
+    return sum;
 }
 
 }  // namespace
@@ -440,26 +251,27 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
 {
     constexpr size_t kFewest = 1000;
     if (!may_gloss(scene, shape.mesh, settings)) return {};
+    constexpr double kMostLeft = 0.9;  // of the error without maps
     Job job(1, settings.threads, progress);
     const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 20);
     const GlossLines all = gloss_lines(scene, shape, settings, stages, job);
-    const std::vector<GlossLine>& lines = all.lines;
-    if (lines.size() < kFewest) return {};
+    if (all.lines.size() < kFewest) return {};
     const std::vector<uint8_t> choices = choices_of(all, scene.materials.size());
-    const std::vector<Vec3> normals = normals_of(shape, lines);
-    Colours levels;
-    double noise = 0;
-    for (const GlossLine& l : lines) {
-        levels.push_back(l.levels);
-        noise += static_cast<double>(l.noise);
-    }
+    const std::vector<Vec3> normals = normals_of(shape, all.lines);
     const uint32_t maps = *std::max_element(choices.begin(), choices.end());
-    const Equations with(shape, lines, normals, choices, maps), without(shape, lines, normals, choices, 0);
+    const SplitLines lines(all.lines);
+    const auto equations = [&](const std::vector<GlossLine>& of, uint32_t count) {
+        return GlossEquations(shape, of, normals, choices, count);
+    };
+    const GlossEquations with = equations(lines.fitted, maps), without = equations(lines.fitted, 0);
+    GlossColours levels = levels_of(lines.fitted);
     with.take_means(levels);
     const GlossSteps solved = solved_both(with, without, levels, stages, job);
-    const double left = GlossSolver(with, levels).squares_left(solved.with.unknowns),
-                 without_maps = GlossSolver(without, levels).squares_left(solved.without.unknowns);
-    if (!pays(left, without_maps, noise)) return {};
+    const auto error = [&](const GlossEquations& fitted, const GlossColours& unknowns, uint32_t count) {
+        return judged(lines, fitted.summed(unknowns), equations(lines.judging, count).summed(unknowns),
+                      shape.layout.texels);
+    };
+    if (error(with, solved.with.unknowns, maps) > kMostLeft * error(without, solved.without.unknowns, 0)) return {};
     return kept_maps(with, solved.with.unknowns, choices, normals);
 }
 

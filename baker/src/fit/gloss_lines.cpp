@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr uint32_t kLinesABatch = 4096, kLinesATexel = 11, kFewestBatches = 25, kMostBatches = 400;
-constexpr uint32_t kPaths = 4;  // of a line: from one alone no map can be learnt
+constexpr uint32_t kPathsAHalf = 2;  // of a line: from one path alone no map can be learnt
 constexpr uint64_t kSeedOffset = 0x61055;
 constexpr float kWhitest = 255, kNotSmooth = -1;
 
@@ -27,13 +27,14 @@ float& channel(Rgb& c, size_t k)
 }
 
 // Levels are a concave function f of radiance, so the mean of noisy light looks darker than it is: by f''/2 times its
-// variance.
-void set_levels(GlossLine& line, const EncodedTone& tone, Rgb mean, Rgb variance)
+// variance, which two halves of the paths tell that know nothing of each other.
+void set_levels(GlossLine& line, const EncodedTone& tone, Rgb first, Rgb second)
 {
+    Rgb mean = (first + second) * 0.5f;
     line.levels = tone.encoded(mean);
     line.noise = 0;
     for (size_t k = 0; k < 3; ++k) {
-        const float x = channel(mean, k), step = x / 4, v = std::min(channel(variance, k), x * x / 2);
+        const float x = channel(mean, k), step = x / 4, off = (channel(first, k) - channel(second, k)) / 2;
         if (!(step > 0)) continue;
         const auto at = [&](float value) {
             Rgb other = mean;
@@ -42,8 +43,8 @@ void set_levels(GlossLine& line, const EncodedTone& tone, Rgb mean, Rgb variance
         };
         const float below = at(x - step), here = line.levels[k], above = at(x + step);
         const float slope = (above - below) / (2 * step), bend = (above - 2 * here + below) / (step * step);
-        line.levels[k] = std::min(here - bend * v / 2, kWhitest);
-        line.noise += slope * slope * v;
+        line.levels[k] = std::min(here - bend * std::min(off * off, x * x / 2) / 2, kWhitest);
+        line.noise += slope * slope * off * off;
     }
 }
 
@@ -72,8 +73,7 @@ public:
             GlossLine line;
             Ray ray;
             if (!meets(sampler, ray, line)) continue;
-            if (line.noise == kNotSmooth || trace(ray, Sampler(seed_ + 1, number * kLinesABatch + k, 1), line))
-                lines.push_back(line);
+            if (line.noise == kNotSmooth || trace(ray, number * kLinesABatch + k, line)) lines.push_back(line);
         }
         return lines;
     }
@@ -99,21 +99,19 @@ private:
         return true;
     }
 
-    bool trace(const Ray& ray, Sampler sampler, GlossLine& line) const
+    bool trace(const Ray& ray, uint32_t number, GlossLine& line) const
     {
-        Rgb sum, squares;
-        float count = 0;
-        for (uint32_t k = 0; k < kPaths; ++k) {
-            sampler.start(k);
-            const PathResult path = tracer_.trace(ray, sampler);
-            if (!path.covered) continue;
-            sum = sum + path.radiance;
-            squares = squares + path.radiance * path.radiance;
-            ++count;
+        std::array<Rgb, 2> halves;
+        for (uint32_t half = 0; half < halves.size(); ++half) {
+            Sampler sampler(seed_ + 1, number, half);
+            for (uint32_t k = 0; k < kPathsAHalf; ++k) {
+                sampler.start(k);
+                const PathResult path = tracer_.trace(ray, sampler);
+                if (!path.covered) return false;
+                halves[half] = halves[half] + path.radiance * (1.0f / kPathsAHalf);
+            }
         }
-        if (count < 2) return false;
-        const Rgb mean = sum * (1 / count);
-        set_levels(line, tone_, mean, (squares * (1 / count) - mean * mean) * (1 / (count - 1)));
+        set_levels(line, tone_, halves[0], halves[1]);
         return true;
     }
 

@@ -17,7 +17,7 @@ struct GlossLine {
     float second, third;
     Vec3 eye, normal;    // the scene's shading normal
     LevelColour levels;  // of the mean light, without the darkening by its noise
-    float noise;         // the sum of the channels' variances
+    float noise;         // the channels' variances, summed
 };
 
 template <class Io>

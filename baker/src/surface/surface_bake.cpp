@@ -97,8 +97,9 @@ FitBasis basis_of(const SceneData& scene, const std::vector<Lit>& lights, const 
                       {},
                       part_shadows(scene, built.mesh, settings, jobs.next()),
                       ground_shadow(scene, built.mesh, settings, jobs.next())};
-    basis.see_through = see_through_light(scene, FitShape(basis.mesh, basis.densities), settings, jobs.next());
-    basis.gloss = gloss_of(scene, FitShape(basis.mesh, basis.densities), settings, stages, jobs.next());
+    const FitShape shape(basis.mesh, basis.densities);
+    basis.see_through = see_through_light(scene, shape, settings, jobs.next());
+    basis.gloss = gloss_of(scene, shape, settings, stages, jobs.next());
     return basis;
 }
 
