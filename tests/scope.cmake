@@ -8,8 +8,9 @@ if((LUMI_TEST_SHORT OR LUMI_SANITIZE) AND NOT LUMI_TEST_ALL)
   set(LUMI_SHORT ON)
 endif()
 
-# Boards that run core's unit tests: the portable loops and those of DSP instructions. M3 has M0+'s loops, M7 has M4's;
-# both draw the frame list and pass the proof.
+# Boards that run core's unit tests: the portable loops and those of DSP instructions. M3 has M0+'s loops, M7, M33 and M55
+# have M4's; all draw the frame list and pass the proof. `--all` runs every unit test on these two and the files of
+# LUMI_UNIT_TEST_BOARD_FILES on the others.
 set(LUMI_UNIT_TEST_CPUS cortex-m0plus cortex-m4)
 
 # Cores for which the RAM and stack of README's firmware are measured. The others' code is as M0+'s or M4's.
@@ -26,7 +27,8 @@ set(LUMI_UNIT_TEST_BOARD_FILES math/math_test field/field_test chord/reads_test 
 # Boards have no threads, so they never run these.
 set(LUMI_UNIT_TEST_THREAD_FILES surface/halves_threads_test)
 
-# Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once.
+# Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once. `--all` reads
+# all on the boards that run unit tests, pairs on the others.
 set(LUMI_POLICIES_cortex-m0plus pairs)
 set(LUMI_POLICIES_cortex-m4 pairs)
 set(LUMI_POLICIES_cortex-m3 each)

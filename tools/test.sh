@@ -4,8 +4,8 @@
 # Builds the tool and the tests with warnings as errors and runs the tests: each file of them on the host under
 # AddressSanitizer and UndefinedBehaviorSanitizer or, where it needs speed, without; and on emulated Cortex-M boards.
 # Checks by clang-tidy the sources that changed most in the last commits. Installs missing packages when run as root.
-# --all adds what tests/scope.cmake leaves out: every test in both trees, the laboratory, every policy, frame and unit test
-# on every board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing
+# --all adds what tests/scope.cmake leaves out: every test in both trees, the laboratory, every policy and unit test on
+# two boards, every frame on every board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing
 # includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples'
 # pages, and the page of `lumi view` in Chromium. There a missing tool is an error.
 set -euo pipefail

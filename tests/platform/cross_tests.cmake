@@ -34,7 +34,7 @@ set(lumi_other_calls "lumi_(drag|pack|quality|held|moved|pose|fov|turn|slide|set
   ".*(OrbitDrag|QualityLadder|pack_rows|held_pose|OverColour|OverStripe|OverNothing|render_coverage).*")
 set(lumi_chord_symbols ".*(render_spans|ChordStepper|open_field|make_camera).*")
 set(lumi_build_timeout_s 1500)
-set(lumi_run_timeout_s 900)
+set(lumi_run_timeout_s 1800)  # every unit test of core takes 15 minutes where the host has other work
 
 set(lumi_cpus ${LUMI_MPS2_CPUS})
 if(NOT LUMI_TEST_ALL)
