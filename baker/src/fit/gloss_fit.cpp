@@ -242,8 +242,8 @@ double judged(const SplitLines& lines, const GlossColours& shown, const GlossCol
 bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings)
 {
     const bool has_edges = scene.choice.environment.picture != nullptr || !scene.fixtures.empty();
-    return has_edges && settings.view_tables && !settings.draft && mesh.is_matt == 0 && mesh.parts.empty() &&
-           scene.states.names.empty() && !scene.medium;
+    return has_edges && settings.view_tables && !settings.draft && mesh.is_matt == 0 && scene.states.names.empty() &&
+           !scene.medium;
 }
 
 Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, BakeStages& stages,

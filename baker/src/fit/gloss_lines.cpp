@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "fit/sample_tracer.h"
 #include "math/warp.h"
 #include "mesh/mesh_tracer.h"
 #include "mesh/survey.h"
+#include "scene/moving_parts.h"
 #include "trace/hit_point.h"
 #include "trace/path_tracer.h"
 
@@ -52,12 +54,13 @@ class LineTracer
 {
 public:
     LineTracer(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings)
-        : scene_(scene),
+        : body_(shape.mesh.parts.empty() ? nullptr : only_of(scene, 0)),
+          scene_(body_ ? *body_ : scene),
           shape_(shape),
           cap_(settings.cap),
           seed_(settings.seed + kSeedOffset),
-          mesh_(opaque_triangles(shape.mesh, numbers_), Faces::front),
-          tracer_(scene),
+          mesh_(triangles_of(shape.mesh, 0, numbers_), Faces::front),
+          tracer_(scene_),
           tone_(scene.tone)
     {
         for (const Material& material : scene.materials) smooth_.push_back(is_smooth(material));
@@ -115,6 +118,7 @@ private:
         return true;
     }
 
+    const std::unique_ptr<SceneData> body_;  // without what moves, which has no maps
     const SceneData& scene_;
     const FitShape& shape_;
     const ViewCap cap_;

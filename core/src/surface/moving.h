@@ -23,6 +23,9 @@ LUMI_ALWAYS_INLINE ViewPoint moved_point(const SurfaceProjection& p, const Verte
 inline constexpr PlaceRange kNoPlaceYet = {1 << 30, -(1 << 30)};
 inline constexpr PlacedVertices kNothingPlaced = {kNoPlaceYet, kNoPlaceYet, true};
 
+// The corners of a cut triangle of a part are where the part is.
+void place_cut(const SurfaceFrame& frame, CutTriangle& cut);
+
 // Adds these vertices to what was placed.
 void place_vertices(const SurfaceFrame& frame, const NumberRange& vertices, PlacedVertices& placed);
 

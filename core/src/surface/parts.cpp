@@ -165,8 +165,9 @@ void unlist(const SurfaceFrame& frame)
     }
 }
 
-// The corners of a cut triangle of a part are where the part is.
-void place_cut(const SurfaceFrame& frame, CutTriangle& cut)
+}  // namespace
+
+void detail::place_cut(const SurfaceFrame& frame, CutTriangle& cut)
 {
     if (!may_move(frame.field, frame.memory)) return;
     for (uint32_t part = frame.field.part_count; part-- > 0;) {
@@ -175,8 +176,6 @@ void place_cut(const SurfaceFrame& frame, CutTriangle& cut)
         for (int k = 0; k < 3; ++k) cut.view[k] = moved_point(own, surface_vertex(frame.field, cut.vertex[k]));
     }
 }
-
-}  // namespace
 
 void detail::place_vertices(const SurfaceFrame& frame, const NumberRange& vertices, PlacedVertices& placed)
 {

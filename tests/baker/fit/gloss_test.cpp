@@ -78,11 +78,18 @@ double error_of(const Scene& scene, const SurfaceBake& bake)
     return sum / count;
 }
 
+// Beside it a knob moves.
 Scene lacquered_ball(const Environment& environment)
 {
     SceneMaker maker;
-    maker.ball(maker.add(glossy({0.3f, 0.02f, 0.02f}, 0.15f)), {0, 0, 0}, 0.9f, 40);
+    const uint32_t lacquer = maker.add(glossy({0.3f, 0.02f, 0.02f}, 0.15f));
+    maker.ball(lacquer, {0, 0, 0}, 0.8f, 40);
     maker.span_unit_sphere();
+    PartMovement movement;
+    movement.name = "knob";
+    movement.axis = {0, 0, 1};
+    maker.begin_part(movement);
+    maker.ball(lacquer, {0.6f, 0, 0.6f}, 0.1f);
     return maker.make(environment);
 }
 

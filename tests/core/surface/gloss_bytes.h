@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "parts_bytes.h"
 #include "states_bytes.h"
 
 namespace lumi::test
@@ -72,6 +73,32 @@ inline TestGloss any_gloss(const TestSurface& s)
     for (uint32_t k = 0; k < 3; ++k) g.maps.push_back(scattered_bytes(detail::format::kGlossMapBytes, 7 + k));
     for (uint32_t p = 0; p < s.patches.size(); ++p) g.choices.push_back(static_cast<uint8_t>(scattered(p) % 4));
     return g;
+}
+
+// Patches of a body have the three maps in turn, or none, where their corners have tables; those of parts have none.
+inline TestGloss gloss_of_body(const TestMover& m)
+{
+    using namespace detail::format;
+    const auto number_at = [&](uint32_t at) {
+        return m.section[kPartsHeaderBytes + at] + 256u * m.section[kPartsHeaderBytes + at + 1];
+    };
+    const uint32_t viewed = number_at(part::kFirstViewedAt), patches = number_at(part::kFirstPatchAt);
+    TestGloss g = any_gloss(m.all);
+    for (uint32_t p = 0; p < m.all.patches.size(); ++p) {
+        const TestPatch& patch = m.all.patches[p];
+        bool may = p < patches;
+        for (const uint32_t corner : {patch.a, patch.b, patch.c, patch.d})
+            may = may && (corner < viewed || corner == kNoVertex);
+        if (!may) g.choices[p] = 0;
+    }
+    return g;
+}
+
+inline Bytes glossy_file(const TestMover& m, const TestGloss& g)
+{
+    std::vector<TestSection> sections = mover_sections(m);
+    sections.push_back(gloss_section(g));
+    return file_of(sections);
 }
 
 inline Bytes glossy_file(const TestSurface& s, const TestGloss& g)

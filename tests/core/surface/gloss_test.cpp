@@ -157,10 +157,13 @@ TEST_CASE("gloss: a mirror ball shows the map in mirrored directions")
 TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the same frame")
 {
     const TestSurface s = ball_for_gloss();
-    const OpenedGlass ball(glossy_file(s, any_gloss(s)));
-    REQUIRE(ball.error() == FieldError::none);
+    const TestMover m = moving_ball(9);
+    const OpenedGlass still(glossy_file(s, any_gloss(s))), moving(glossy_file(m, gloss_of_body(m)));
+    REQUIRE(still.error() == FieldError::none);
+    REQUIRE(moving.error() == FieldError::none);
     std::minstd_rand random(17);
     for (int look = 0; look < kLooks; ++look) {
+        const OpenedGlass& ball = look % 4 == 0 ? moving : still;
         const test::View view = random_view(random, kSide);
         const SurfaceMode mode = kSurfaceModes[look % 3];
         const auto some = [&] { return static_cast<int32_t>(1 + random() % kSide); };
@@ -177,8 +180,8 @@ TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the s
     }
     for (const test::View& view : extreme_views(kSide))
         for (const SurfaceMode mode : kSurfaceModes)
-            CHECK((shown<PixelRgb888>(ball.field(), view, mode, kSide, kSide) ==
-                   shown<PixelRgb888>(ball.field(), view, mode, 13, 9)));
+            CHECK((shown<PixelRgb888>(still.field(), view, mode, kSide, kSide) ==
+                   shown<PixelRgb888>(still.field(), view, mode, 13, 9)));
 }
 
 TEST_CASE("gloss: patches without a map look as without the section, and swapped pixels as others")
@@ -231,11 +234,14 @@ TEST_CASE("gloss: sections that are wrong are refused by name, and no byte of th
     std::vector<TestSection> states = surface_sections(s);
     states.push_back(gloss_section(right));
     CHECK(opened(file_with_states(states, light_of(s, two_states()))) == FieldError::bad_gloss);
-    std::vector<TestSection> parts = mover_sections(moving_ball());
-    TestGloss none = right;
-    none.choices.assign(moving_ball().all.patches.size(), 0);
-    parts.push_back(gloss_section(none));
-    CHECK(opened(file_of(parts)) == FieldError::bad_gloss);
+    TestMover moving = moving_ball();  // its second part has tables everywhere
+    TestGloss of_part = gloss_of_body(moving);
+    REQUIRE(opened(glossy_file(moving, of_part)) == FieldError::none);
+    const size_t patch =
+        detail::format::kPartsHeaderBytes + detail::format::kPartBytes + detail::format::part::kFirstPatchAt;
+    const uint32_t first = moving.section[patch] + 256u * moving.section[patch + 1];
+    of_part.choices[first] = 1;
+    CHECK(opened(glossy_file(moving, of_part)) == FieldError::bad_gloss);
 }
 
 TEST_CASE("gloss: a firmware that does not name it refuses the field by name")

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <iostream>
 
+#include "gloss_bytes.h"
 #include "halves.h"
 #include "lumi/surface/view.h"
-#include "parts_bytes.h"
 #include "surface/projection.h"
 
 using namespace lumi;
@@ -273,8 +273,11 @@ TEST_CASE("a part that turns below its light keeps the colours of its vertices")
 TEST_CASE("frames that keep the body are those that are prepared anew, and only the rectangles that are told change")
 {
     std::minstd_rand random(4);
-    for (const TestMover& ball : {moving_ball(), moving_ball(9), shaded_ball(0), shaded_ball(9)}) {
-        const OpenedGlass opened(mover_file(ball));
+    const TestMover glossy = moving_ball(), glossy_shaded = shaded_ball(9);
+    for (const Bytes& ball :
+         {mover_file(moving_ball()), mover_file(moving_ball(9)), mover_file(shaded_ball(0)), mover_file(shaded_ball(9)),
+          glossy_file(glossy, gloss_of_body(glossy)), glossy_file(glossy_shaded, gloss_of_body(glossy_shaded))}) {
+        const OpenedGlass opened(ball);
         REQUIRE(opened.error() == FieldError::none);
         const std::vector<test::View> extreme = extreme_views(kSide);
         Mover mover(opened.field(), 2 * kSide);
@@ -319,6 +322,35 @@ TEST_CASE("frames that keep the body are those that are prepared anew, and only 
         CHECK(kept > kMoves / 2);
         CHECK(changed_pixels < frames * 2 / 3);
         std::cout << "kept " << kept << " of " << kMoves << ", changed " << 100.0 * changed_pixels / frames << " %\n";
+    }
+}
+
+TEST_CASE("parts beside gloss look as without it, and the body shows its maps")
+{
+    std::minstd_rand random(11);
+    for (const uint32_t glass : {0u, 9u}) {
+        const TestMover m = shaded_ball(glass);
+        const TestGloss some = gloss_of_body(m);
+        TestGloss none = some;
+        none.choices.assign(none.choices.size(), 0);
+        const OpenedGlass plain(mover_file(m)), unused(glossy_file(m, none)), glossy(glossy_file(m, some));
+        REQUIRE(unused.error() == FieldError::none);
+        REQUIRE(glossy.error() == FieldError::none);
+        Mover movers[] = {Mover(plain.field()), Mover(unused.field()), Mover(glossy.field())};
+        const std::vector<test::View> extreme = extreme_views(kSide);
+        int different = 0;
+        for (int k = 0; k < kMoves / 3; ++k) {
+            const test::View view = k % 2 == 0 ? extreme[any(random) % extreme.size()] : random_view(random, kSide);
+            for (uint32_t part = 0; part < 3; ++part) {
+                const uint32_t value = any_value(plain.field(), part, random);
+                for (Mover& one : movers) one.set(part, value);
+            }
+            const SurfaceMode mode = kSurfaceModes[k % 3];
+            const Bytes without = movers[0].look(view, mode);
+            REQUIRE(without == movers[1].look(view, mode));
+            different += without == movers[2].look(view, mode) ? 0 : 1;
+        }
+        CHECK(different > kMoves / 10);
     }
 }
 

@@ -255,9 +255,10 @@ void put_see_through_palette(SurfaceFrame& frame)
     }
 }
 
-// Fills the palettes, and lists see-through parts if kFeatures names them. Opaque triangles have been prepared.
+// Fills the palettes, and does what kFeatures names: lists see-through parts, weighs states, puts gloss. Opaque
+// triangles have been prepared.
 template <class Pixel, SurfaceFeatures kFeatures>
-void end_frame(SurfaceFrame& frame)
+void end_frame(SurfaceFrame& frame, [[maybe_unused]] const SurfaceCamera& camera)
 {
     put_palette<Pixel>(frame);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through)) {
@@ -265,6 +266,7 @@ void end_frame(SurfaceFrame& frame)
         if (frame.field.see_through_count != 0) put_see_through_palette<Pixel>(frame);
     }
     if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(frame);
+    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) put_gloss(frame, camera);
 }
 
 // `make_body` places the body, lists it, and finds its outlines.
@@ -281,7 +283,7 @@ void prepare_moving(const SurfaceField& field, const SurfaceCamera& camera, Surf
         if constexpr (kFinest != SurfaceMode::one_sample)
             if (out.margin != 0) put_outlines(out, patches.begin, patches.end);
     }
-    if (!keeps_body) return end_frame<Pixel, kFeatures>(out);
+    if (!keeps_body) return end_frame<Pixel, kFeatures>(out, camera);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through))
         if (mover_count(field) != field.part_count) put_see_through(out);  // shadows have moved
     if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(out);
@@ -317,8 +319,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
         detail::prepare_without_views(field, camera, mode, memory, out);
     if constexpr (kFinest != SurfaceMode::one_sample)
         if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
-    detail::end_frame<Pixel, kFeatures>(out);
-    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) detail::put_gloss(out, camera);
+    detail::end_frame<Pixel, kFeatures>(out, camera);
 }
 
 }  // namespace lumi

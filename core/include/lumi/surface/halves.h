@@ -140,8 +140,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
                 });
     }
     if (detail::begin_halves(field, camera, mode, memory, out, halves)) detail::run_steps(halves, both);
-    detail::end_frame<Pixel, kFeatures>(out);
-    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) detail::put_gloss(out, camera);
+    detail::end_frame<Pixel, kFeatures>(out, camera);
 }
 
 }  // namespace lumi

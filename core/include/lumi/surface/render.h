@@ -127,6 +127,7 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     constexpr bool kMayHaveGlass = has(kFeatures, SurfaceFeatures::see_through);
     constexpr bool kMayMove = has(kFeatures, SurfaceFeatures::parts);
     using Pieces = typename PiecesFor<kMayMove, TrianglePieces, MovingPieces>::Type;
+    using Glossy = typename PiecesFor<kMayMove, GlossPieces, MovingGlossPieces>::Type;
     using SeeThrough = typename PiecesFor<kMayMove, SeeThroughPieces, MovingSeeThroughPieces>::Type;
     const Stripe covered = covered_part(frame, stripe, Pixel::kBytes);
     fill_around<Pixel>(background, stripe, covered);
@@ -134,8 +135,8 @@ void render_surface(const SurfaceFrame& frame, const Background& background, con
     const auto draw_opaque = [&](const Target& target, auto loop, auto magnified, auto gloss, auto magnified_gloss) {
         if constexpr (has(kFeatures, SurfaceFeatures::gloss))
             if (gloss_count(frame.field) != 0)
-                return draw_glossy_triangles<loop.kDraw, magnified.kDraw, gloss.kDraw, magnified_gloss.kDraw>(frame,
-                                                                                                              target);
+                return draw_glossy_triangles<Glossy, loop.kDraw, magnified.kDraw, gloss.kDraw, magnified_gloss.kDraw>(
+                    frame, target);
         draw_triangles<Pieces, loop.kDraw, magnified.kDraw>(frame, target);
     };
     const auto draw_as = [&](auto kind) {

@@ -4,6 +4,7 @@
 
 #include "lumi/detail/math.h"
 #include "math/reciprocal.h"
+#include "surface/owners.h"
 #include "surface/projection.h"
 #include "surface/view_light.h"
 
@@ -232,7 +233,7 @@ void put_gloss(const SurfaceFrame& frame, const SurfaceCamera& camera)
     const CameraAxes axes(camera);
     put_colours(frame, memory.colours);
     Discs(frame, axes, memory.discs).put();
-    for (uint32_t k = 0; k < frame.field.viewed_count; ++k)
+    for (uint32_t k = 0; k < owner_ranges(frame.field, 0).viewed.end; ++k)
         if (frame.memory.vertices[k].colour != kUnlit) memory.places[k] = place_in_disc(frame, axes, k);
 }
 

@@ -2,6 +2,7 @@
 #include "lumi/surface/detail/gloss.h"
 #include "surface/fill.h"
 #include "surface/lists.h"
+#include "surface/moving.h"
 #include "surface/planes.h"
 
 namespace lumi::detail
@@ -17,7 +18,7 @@ int32_t part_between(int32_t from, int32_t to, int32_t part, int32_t whole)
 
 }  // namespace
 
-LUMI_HOT bool GlossPieces::next()
+LUMI_ALWAYS_INLINE bool GlossPieces::next_whole()
 {
     if (piece.is_wide && next_part_of_wide(piece)) {
         gloss.place = first_place_ + static_cast<uint32_t>(piece.wide.at) * gloss.down;
@@ -28,18 +29,40 @@ LUMI_HOT bool GlossPieces::next()
         begin_whole_gloss(triangle);
         return true;
     }
-    return next_cut();
+    return false;
 }
 
-__attribute__((noinline)) bool GlossPieces::next_cut()
+template <class Place>
+LUMI_ALWAYS_INLINE bool GlossPieces::next_cut_of(const Place& place)
 {
     while (true) {
         if (next_of_cut()) return true;
         if (other_ == kEmptyBand) return false;
         begin_cut(cut_, frame_, other_);
+        place(cut_);
         choose(other_ >> 1);
         other_ = after(other_, frame_.memory.links[other_]);
     }
+}
+
+LUMI_HOT bool GlossPieces::next()
+{
+    return next_whole() || next_cut();
+}
+
+LUMI_HOT bool MovingGlossPieces::next()
+{
+    return next_whole() || next_cut();
+}
+
+__attribute__((noinline)) bool GlossPieces::next_cut()
+{
+    return next_cut_of([](CutTriangle&) {});
+}
+
+__attribute__((noinline)) bool MovingGlossPieces::next_cut()
+{
+    return next_cut_of([&](CutTriangle& cut) { place_cut(frame_, cut); });
 }
 
 bool GlossPieces::next_of_cut()

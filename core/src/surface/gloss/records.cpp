@@ -2,6 +2,7 @@
 // Reads and checks the section of gloss maps.
 #include "field/sections.h"
 #include "lumi/surface/detail/gloss.h"
+#include "surface/owners.h"
 
 namespace lumi::detail
 {
@@ -11,13 +12,14 @@ namespace
 using namespace format;
 using namespace container;
 
-// Whether the patches' maps exist, and their corners have view tables.
+// Whether the patches' maps exist, and they are opaque ones of the body whose corners have view tables.
 bool choices_fit(const SurfaceField& field)
 {
+    const NumberRange body = owner_ranges(field, 0).patches;
     for (uint32_t k = 0; k < uint32_t{field.patch_count} + field.see_through_count; ++k) {
         const uint32_t map = gloss_of(field, k);
         if (map == 0) continue;
-        if (map > gloss_count(field) || k >= field.patch_count) return false;
+        if (map > gloss_count(field) || !body.has(k)) return false;
         for (const uint32_t corner : surface_patch(field, k).corner)
             if (corner != kNoVertex && corner >= field.viewed_count) return false;
     }
@@ -30,8 +32,7 @@ FieldError read_gloss(const uint8_t* bytes, SurfaceField& field)
 {
     Section section{}, surface{};
     if (!find_section(bytes, kGlossSection, section)) return FieldError::none;
-    if (has_section(bytes, kPartsSection) || has_section(bytes, kStateSection) || section.size < kGlossHeaderBytes)
-        return FieldError::bad_gloss;
+    if (has_section(bytes, kStateSection) || section.size < kGlossHeaderBytes) return FieldError::bad_gloss;
     const uint8_t* const at = bytes + section.offset;
     const uint32_t maps = at[0];
     find_section(bytes, kSurfaceSection, surface);

@@ -21,14 +21,15 @@ inline uint32_t gloss_of(const SurfaceField& field, uint32_t patch)
     return uint32_t{choices[patch >> 2]} >> (2 * (patch & 3)) & 3u;
 }
 
-// Where a frame's gloss lies in its memory: fields with gloss have neither parts nor states.
+// Where a frame's gloss lies in its memory: behind its parts; fields with gloss have no states.
 struct GlossMemory {
     PackedColour* colours;  // kGlossColours a map
     uint8_t* discs;         // kGlossDiscBytes a map
     uint16_t* places;       // of vertices that have view tables: v and u, texels, Q2, 8 bits each
 
     explicit GlossMemory(const SurfaceFrame& frame)
-        : colours(frame.memory.features + see_through_words(frame.field.see_through_count)),
+        : colours(frame.memory.features + see_through_words(frame.field.see_through_count) +
+                  part_words(frame.field.part_count)),
           discs(reinterpret_cast<uint8_t*>(colours + gloss_count(frame.field) * kGlossColours)),
           places(reinterpret_cast<uint16_t*>(discs + gloss_count(frame.field) * kGlossDiscBytes))
     {
@@ -80,6 +81,13 @@ public:
 
     GlossRows gloss;
 
+protected:
+    // The next one that is not cut, or false.
+    bool next_whole();
+    // The next one of those that are cut; `place` puts a triangle's corners where they are.
+    template <class Place>
+    bool next_cut_of(const Place& place);
+
 private:
     bool next_cut();
     bool next_of_cut();
@@ -96,16 +104,29 @@ private:
     uint32_t first_place_ = 0;  // of the first part of a wide triangle
 };
 
+// Does that where parts may move.
+class MovingGlossPieces : public GlossPieces
+{
+public:
+    using GlossPieces::GlossPieces;
+
+    LUMI_HOT bool next();
+
+private:
+    bool next_cut();
+};
+
 template <DrawGlossRows kDrawRows>
 struct GlossLoop {
     static constexpr DrawGlossRows kDraw = kDrawRows;
 };
 
-// Does what draw_triangles() does for opaque triangles, of which some have gloss.
-template <DrawRows kPlain, DrawRows kMagnified, DrawGlossRows kGloss, DrawGlossRows kMagnifiedGloss>
+// Does what draw_triangles() does for opaque triangles, of which some have gloss. Pieces: GlossPieces or those that
+// move.
+template <class Pieces, DrawRows kPlain, DrawRows kMagnified, DrawGlossRows kGloss, DrawGlossRows kMagnifiedGloss>
 __attribute__((noinline)) void draw_glossy_triangles(const SurfaceFrame& frame, const Target& target)
 {
-    GlossPieces pieces(frame, target);
+    Pieces pieces(frame, target);
     TrianglePiece& piece = pieces.piece;
     const auto draw = [&] {
         if (pieces.gloss.disc == nullptr)
