@@ -26,7 +26,9 @@ VIEWS = ["generic", "pole", "close"]
 SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel exact
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
-SEE_THROUGH_PARTS = ["order", "blends"]  # 0 for opaque fields
+SEE_THROUGH_PARTS = ["order", "blends"]  # of gloss maps, too; 0 for fields without both
+# What the host's row counts of a field's features, and the program that draws them: without rates and accuracy.
+UNJUDGED = {"states": "states", "gloss": "gloss", "see_through_patches": "see_through"}
 # "tall": instructions in stripes of 24 rows; "weigh": of another weight of a light state; "halves": until two cores have prepared the frame.
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
@@ -149,7 +151,7 @@ def facts_of(row, frames):
 
 
 def put_facts(row, facts):
-    of_field = ("crc", "triangles", "vertices", "see_through_patches", "states")
+    of_field = ("crc", "triangles", "vertices", *UNJUDGED)
     row.update({key: value for key, value in facts.items() if key not in of_field})
     return row
 
@@ -203,14 +205,10 @@ def surface_rows(options, boards):
                  ",".join(options.view))
     facts = {"file": field.name, "file_bytes": len(content), "triangles": frames[0]["triangles"],
              "sha256": hashlib.sha256(content).hexdigest()}
-    see_through_patches = frames[0]["see_through_patches"]
-    states = frames[0]["states"]
-    kind = "states" if states else "see_through" if see_through_patches else "surface"
-    parts = PARTS + SEE_THROUGH_PARTS * bool(see_through_patches)
-    if see_through_patches:
-        facts["see_through_patches"] = see_through_patches
-    if states:
-        facts["states"] = states
+    features = {key: frames[0][key] for key in UNJUDGED if frames[0][key]}
+    facts.update(features)
+    kind = UNJUDGED[next(iter(features))] if features else "surface"
+    parts = PARTS + SEE_THROUGH_PARTS * (kind in ("see_through", "gloss"))
     rows = []
     for board in boards:
         board.build([f"{kind}_{pixel}" for pixel in options.pixel])
@@ -222,7 +220,7 @@ def surface_rows(options, boards):
                 row.update({part: hundredths(count[part] / count["covered"]) for part in [*parts, "tall", "halves"]})
                 row.update({"instructions_per_frame": count["instructions"], "covered_pixels": count["covered"],
                             "code_bytes": code_bytes, "stack_bytes": count["stack"], "ram_bytes": count["ram"]})
-                if states:
+                if kind == "states":
                     row["instructions_to_weigh"] = count["weigh"]
                 rows.append({**with_facts(row, count, frames), **facts})
     return rows, {**facts, "vertices": frames[0]["vertices"]}
@@ -232,7 +230,7 @@ def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
-    is_judged = not {"see_through_patches", "states"} & set(facts or {})
+    is_judged = not set(UNJUDGED) & set(facts or {})
     rows = surface if not is_judged else lab("parts", "--rate", stdin=json.dumps(chord + surface))
     if options.docs:
         save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts,
@@ -280,8 +278,8 @@ def parse(arguments):
                         help="write rows and parts into docs/log/data/tradeoff.json")
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
-    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts or light "
-                        "states, of which one shines half, there are neither rates nor accuracy")
+    parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts, gloss "
+                        "maps or light states, of which one shines half, there are neither rates nor accuracy")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The surface renderer for the pixels, parts and modes that the build names: LUMI_BENCH_PIXEL, LUMI_BENCH_SEE_THROUGH,
-// LUMI_BENCH_FINEST, LUMI_BENCH_VIEW_TABLES and LUMI_BENCH_STATES.
+// LUMI_BENCH_FINEST, LUMI_BENCH_VIEW_TABLES, LUMI_BENCH_STATES and LUMI_BENCH_GLOSS.
 #include <algorithm>
 
 #include "lumi/mps2/meters.h"
@@ -31,7 +31,9 @@ void fill(const SurfaceFrame& filled, const detail::Target& target)
 
 SurfaceFrame frame;
 constexpr uint32_t kMostStates = LUMI_BENCH_STATES ? detail::format::kMaxStates : 0;
-detail::SampleMemory<4 * (see_through_words(LUMI_BENCH_SEE_THROUGH) + state_words(kMostStates, LUMI_BENCH_SEE_THROUGH))>
+constexpr uint32_t kMostMaps = LUMI_BENCH_GLOSS ? detail::format::kMaxGlossMaps : 0;
+detail::SampleMemory<4 * (see_through_words(LUMI_BENCH_SEE_THROUGH) + state_words(kMostStates, LUMI_BENCH_SEE_THROUGH) +
+                          gloss_words(kMostMaps, detail::format::kMaxSurfaceVertices))>
     features;
 SurfaceVertex vertices[detail::format::kMaxSurfaceVertices];
 uint16_t links[surface_links(detail::format::kMaxPatches)];

@@ -10,16 +10,18 @@ namespace lumi::bench
 {
 
 // Parts of fields that the build names, for as many see-through patches as it names.
-inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_STATES ? SurfaceFeatures::view_tables | SurfaceFeatures::states
+inline constexpr SurfaceFeatures kFeatures = LUMI_BENCH_STATES  ? SurfaceFeatures::view_tables | SurfaceFeatures::states
+                                             : LUMI_BENCH_GLOSS ? SurfaceFeatures::view_tables | SurfaceFeatures::gloss
                                              : LUMI_BENCH_SEE_THROUGH != 0
                                                  ? SurfaceFeatures::view_tables | SurfaceFeatures::see_through
                                              : LUMI_BENCH_VIEW_TABLES ? SurfaceFeatures::view_tables
                                                                       : SurfaceFeatures::none;
 
-// The field without its see-through patches.
+// The field without its see-through patches and gloss maps.
 inline SurfaceField opaque_alone(SurfaceField field)
 {
     field.see_through_count = 0;
+    field.gloss = nullptr;
     return field;
 }
 

@@ -5,11 +5,11 @@
 //     ram 46000 weigh 0 halves 345678 crc 1234abcd
 // Parts add up to the instructions: the palette's colours and the camera's numbers; vertices on the image's grid; the
 // triangles' lists; what vertices show to the eye; triangles and rows without their samples; samples; outlines; pixels.
-// Then see-through triangles: their order, lights and palette; what they add to drawing. "tall" are all instructions
-// again, in stripes of kTallStripeHeight, "weigh" those of another weight of a light state, and "halves" those of
-// preparing on two cores, as the longer half of each step takes. The field is loaded to the start of the board's PSRAM.
-// Arguments: names of views (none: all), then of modes (none: all). With `poses` in place of views, a line for each of
-// them and mode, in stripes of kTallStripeHeight:
+// Then see-through triangles: their order, lights and palette; what they add to drawing; or what gloss maps add to
+// both. "tall" are all instructions again, in stripes of kTallStripeHeight, "weigh" those of another weight of a light
+// state, and "halves" those of preparing on two cores, as the longer half of each step takes. The field is loaded to
+// the start of the board's PSRAM. Arguments: names of views (none: all), then of modes (none: all). With `poses` in
+// place of views, a line for each of them and mode, in stripes of kTallStripeHeight:
 //     pose 17 mode antialiased covered 42272 instructions 2345678 crc 1234abcd
 // With `stripes`, a line for each height in kStripeHeights, view and mode:
 //     stripes 4 view generic mode antialiased covered 42272 instructions 2345678 crc 1234abcd
@@ -51,7 +51,8 @@ uint64_t count_frame(const SurfaceField& field, const SurfaceView& view, int32_t
     return instructions_of([&] { draw_surface(field, view, stripe_height, pixels); });
 }
 
-// Fields that lack a part tell what the part costs. `whole`: of a frame of the field.
+// Fields that lack a part tell what the part costs; gloss counts as see-through triangles do. `whole`: of a frame of
+// the field.
 Parts count_parts(const SurfaceField& field, const SurfaceView& view, uint64_t whole)
 {
     const SurfaceField opaque = opaque_alone(field);

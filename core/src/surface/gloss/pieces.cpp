@@ -50,7 +50,7 @@ LUMI_HOT bool GlossPieces::next()
     return next_whole() || next_cut();
 }
 
-LUMI_HOT bool MovingGlossPieces::next()
+bool MovingGlossPieces::next()
 {
     return next_whole() || next_cut();
 }

@@ -175,8 +175,9 @@ void add_surface_rows(const tools::FieldFile& file, const Options& options, cons
                         {"triangles", tools::triangles_of(file.surface())},
                         {"vertices", file.surface().vertex_count},
                         {"see_through_patches", file.surface().see_through_count},
-                        {"states", file.surface().state_count}};
-            if (file.surface().see_through_count + file.surface().state_count != 0)
+                        {"states", file.surface().state_count},
+                        {"gloss", gloss_count(file.surface())}};
+            if (file.surface().see_through_count + file.surface().state_count + gloss_count(file.surface()) != 0)
                 row["crc"] = bench::surface_crc(file, mode, pixel, view);
             else
                 put_facts(row, bench::surface_facts(file, mode, pixel, view));

@@ -104,13 +104,13 @@ private:
     uint32_t first_place_ = 0;  // of the first part of a wide triangle
 };
 
-// Does that where parts may move.
+// Does that where parts may move. It is not LUMI_HOT: views whose parts rest would link it.
 class MovingGlossPieces : public GlossPieces
 {
 public:
     using GlossPieces::GlossPieces;
 
-    LUMI_HOT bool next();
+    bool next();
 
 private:
     bool next_cut();
