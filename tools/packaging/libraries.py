@@ -64,7 +64,7 @@ def rows(program):
     """Rows of the page of licences: each package, and which of the program's files load it."""
     parts = {path.name: loaded_by(path) for path in
              [pathlib.Path(program), *(pathlib.Path(program).parent / name for name in MODULES)]}
-    return [{"package": name, "objects": objects, "licence": licences_of(name)[0],
+    return [{"package": name, "licence": licences_of(name)[0],
              "by": [part for part, loaded in parts.items() if set(objects) & set(loaded)]}
             for name, objects in sorted(packages_of(program).items())]
 

@@ -14,8 +14,6 @@ static product_view<Screen<240, 240, 16>> view;
 #include "draw_both.h"
 #include "open_slot.h"
 
-#include "open_file.h"  // draws into `grown`
-
 namespace
 {
 
@@ -121,27 +119,6 @@ void opens_the_last_field_where_the_newest_is_damaged()
     must(open_newest({whole.data(), whole.size()}, {nullptr, 0}), "the newest slot does not open");
 }
 
-void write_file(const char* path, const Frame& bytes)
-{
-    FILE* const file = fopen(path, "wb");
-    must(file != nullptr && fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(), "no file can be written");
-    fclose(file);
-}
-
-void opens_a_field_in_a_file()
-{
-    Frame bytes(product, product + product_size());
-    write_file("field.lumi", bytes);
-    must(open_file("field.lumi"), "the file does not open");
-    must(grown.look(kOrbit), "look");
-    must(frame_of(grown) == frame_of(view), "a field from a file draws something else");
-    bytes.resize(sizeof(field_bytes) + 1);
-    write_file("field.lumi", bytes);
-    must(open_file("field.lumi") == ViewError::field_too_large, "a file that is too large is not refused");
-    must(open_file("missing.lumi") == ViewError::bad_argument, "a missing file is not refused");
-    remove("field.lumi");
-}
-
 void sends_even_windows()
 {
     for (const uint32_t zoom : {kNoZoom, kNoZoom / 3, kNoZoom / 4, kNoZoom / 2}) {
@@ -177,7 +154,6 @@ int main()
 {
     draws_two_views_with_one_memory();
     opens_the_last_field_where_the_newest_is_damaged();
-    opens_a_field_in_a_file();
     sends_even_windows();
     rounds_to_six_bits();
     return 0;

@@ -22,8 +22,8 @@ def memory():
 
 
 def licences():
-    return Table.of(["package", "loaded", "licence of most files", "loaded by"], load("licences")["rows"], lambda row: [
-        row["package"], ", ".join(row["objects"]), row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
+    return Table.of(["package", "licence of most files", "loaded by"], load("licences")["rows"], lambda row: [
+        row["package"], row["licence"], ", ".join(f"`{name}`" for name in row["by"])])
 
 
 def pictures():
