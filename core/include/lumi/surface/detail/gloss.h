@@ -5,8 +5,9 @@
 // modelling programs; the half vector is Blinn's, "Models of Light Reflection", 1977). Each vertex has its place in the
 // disc for its normal and its own direction to the eye. Places are affine over a triangle.
 //
-// A disc is a square of 48 × 48 bytes. Its texel (x, y) has h = ((x - 23.5)/23, (23.5 - y)/23) along right and up; what
-// lies beyond the circle is never shown.
+// A disc is a square of 40 × 40 bytes. Its texel (x, y) has h = ((x - 19.5)/19, (19.5 - y)/19) along right and up; what
+// lies beyond the circle is never shown. Between texels discs are bilinear: over a nearly flat surface one covers many
+// pixels.
 #pragma once
 
 #include "lumi/surface/detail/pieces.h"
