@@ -51,7 +51,7 @@ enum class [[nodiscard]] FieldError : uint8_t{
     bad_parts,        // the wrong size, a number out of range, or a patch that shares vertices with another part
     bad_states,       // the section of light states has the wrong size, no name, or a number out of range
     gloss,            // open_surface only: gloss maps, which its SurfaceFeatures do not name
-    bad_gloss,  // the wrong size, a number out of range, a patch of a part or without view tables, states beside it
+    bad_gloss,  // the wrong size, a number out of range, a patch of a part or without view tables, or states beside it
 };
 
 // Returns one short English phrase per error, for logs. Linked only if called.

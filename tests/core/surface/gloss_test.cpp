@@ -8,6 +8,7 @@
 #include "gloss_bytes.h"
 #include "halves.h"
 #include "lumi/surface/view.h"
+#include "surface/projection.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -184,6 +185,110 @@ TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the s
                    shown<PixelRgb888>(still.field(), view, mode, 13, 9)));
 }
 
+namespace
+{
+
+// A file of one map over all patches, with these turns at the vertices.
+Bytes file_with_turns(TestSurface s, const std::vector<std::array<int, 3>>& turns)
+{
+    s.viewed = static_cast<uint32_t>(s.vertices.size());
+    put_texels(s);
+    std::vector<TestSection> sections = surface_sections(s);
+    for (TestSection& section : sections) {
+        if (section.type != format::kViewSection) continue;
+        for (size_t v = 0; v < turns.size(); ++v)
+            for (size_t c = 0; c < 3; ++c)
+                section.bytes[format::view_colours_bytes(s.code_bits) + v * format::view_bytes(s.code_bits) +
+                              format::view_turn_at(s.code_bits) + c] = static_cast<uint8_t>(turns[v][c]);
+    }
+    const GlossOf grey = [](const std::array<double, 3>&) { return 128.0; };
+    sections.push_back(gloss_section({{{64, 64, 64}}, {gloss_map(grey)}, std::vector<uint8_t>(s.patches.size(), 1)}));
+    return file_of(sections);
+}
+
+const Pose kFromAbove = {{0, 0, kOneQ20 * 6 / 5}, {kOneQ30, 0, 0}, {0, kOneQ30, 0}, {0, 0, -kOneQ30}};
+
+// Whether those of lit vertices lie between the first texel's middle and the last one's, as what reads them expects.
+void check_places(const PreparedFrame& made)
+{
+    const GlossMemory memory(made.frame);
+    constexpr uint32_t kLeast = 4, kMost = 4 * (kGlossDiscSide - 1);  // quarters of a texel
+    for (size_t v = 0; v < made.frame.field.viewed_count; ++v) {
+        if (made.vertices[v].colour == kUnlit) continue;
+        const uint32_t across = memory.places[v] & 0xFFu, down = memory.places[v] >> 8;
+        if (across < kLeast || across > kMost || down < kLeast || down > kMost)
+            FAIL_CHECK("vertex " << v << " lies at " << across << ", " << down);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("gloss: vertices lie in the disc, also where what they mirror is behind the camera")
+{
+    TestSurface s;  // both sides of a triangle
+    s.vertices = {{12288, -4000, 9000}, {12288, 3000, 9000}, {9500, 0, 9300}};
+    s.patches = {{0, 1, 2}, {0, 2, 1}};
+    const OpenedGlass hard(file_with_turns(s, {{0, 0, 127}, {0, 0, 127}, {-104, 0, 72}}));
+    REQUIRE(hard.error() == FieldError::none);
+    const Image wide = {240, 240, test::degrees(100.0)};
+    PreparedFrame made(hard.field(), 240, 4);
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(kFromAbove, wide, camera) == CameraError::none);
+    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(hard.field(), camera, SurfaceMode::one_sample,
+                                                                made.memory, made.frame);
+    check_places(made);
+    picture(made.frame, {kFromAbove, wide, 0, 0, 240, 240});
+    std::minstd_rand random(21);
+    for (int look = 0; look < kLooks; ++look) {
+        std::vector<std::array<int, 3>> turns;
+        const TestSurface ball = ball_for_gloss();
+        for (size_t v = 0; v < ball.vertices.size(); ++v) {
+            const Vec turn = 127 * twin::normalised({any(random), any(random), any(random) + 1e-3});
+            const auto byte = [](double c) { return static_cast<int>(std::lround(c)); };
+            turns.push_back({byte(turn.x), byte(turn.y), byte(turn.z)});
+        }
+        const OpenedGlass opened(file_with_turns(ball, turns));
+        REQUIRE(opened.error() == FieldError::none);
+        const test::View view = random_view(random, kSide);
+        PreparedFrame frame(opened.field(), view.image.height_px, 3);
+        REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
+        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(opened.field(), camera, kSurfaceModes[look % 3],
+                                                                    frame.memory, frame.frame);
+        check_places(frame);
+        picture(frame.frame, {view.pose, view.image, 0, 0, view.image.width_px, view.image.height_px});
+    }
+}
+
+// A sanitizer sees it, or the field's own bounds: memory of the frame ends with the places.
+TEST_CASE("gloss: no read leaves the disc, whatever lies where places should be, also of pieces of cut triangles")
+{
+    TestSurface s;
+    s.vertices = {{0, 0, 0}, {-378, 413, 0}, {1100, -1202, 0}, {-1585, 1353, 0}};
+    s.patches = {{0, 1, 2, 3}, {0, 2, 1, 3}};
+    const OpenedGlass opened(file_with_turns(s, std::vector<std::array<int, 3>>(4, {0, 0, 127})));
+    REQUIRE(opened.error() == FieldError::none);
+    constexpr int32_t kLarge = 8192, kMiddle = 1400, kFirst = (kLarge - kMiddle) / 2, kRows = 50;
+    const Image narrow = {kLarge, kLarge, test::degrees(1.01)};
+    PreparedFrame made(opened.field(), kLarge, 4);
+    SurfaceCamera camera;
+    REQUIRE(make_surface_camera(kFromAbove, narrow, camera) == CameraError::none);
+    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(opened.field(), camera, SurfaceMode::one_sample,
+                                                                made.memory, made.frame);
+    uint16_t* const places = GlossMemory(made.frame).places;
+    for (const std::array<uint16_t, 4>& any_places : {std::array<uint16_t, 4>{0x0450, 0x0450, 0x0450, 0x9C50},
+                                                      {0x9C50, 0x9C50, 0x9C50, 0x0450},
+                                                      {0, 0, 0, 0},
+                                                      {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}}) {
+        std::copy(any_places.begin(), any_places.end(), places);
+        uint32_t drawn = 0;
+        for (int32_t y = kFirst; y < kFirst + kMiddle; y += kRows) {
+            const Bytes pixels = picture(made.frame, {kFromAbove, narrow, kFirst, y, kMiddle, kRows});
+            for (const uint8_t byte : pixels) drawn += byte != pixels[0] ? 1u : 0u;
+        }
+        CHECK(drawn > 10000);
+    }
+}
+
 TEST_CASE("gloss: patches without a map look as without the section, and swapped pixels as others")
 {
     const TestSurface s = ball_for_gloss();
@@ -231,6 +336,12 @@ TEST_CASE("gloss: sections that are wrong are refused by name, and no byte of th
     one.gains.resize(1);
     one.maps.resize(1);
     CHECK(opened(glossy_file(s, one)) == FieldError::bad_gloss);
+    TestSurface triangle;
+    triangle.vertices = {{9000, 0, 0}, {0, 9000, 0}, {0, 0, 9000}};
+    triangle.patches = {{0, 1, 2}};
+    CHECK(opened(file_with_turns(triangle, {{127, 0, 0}, {-74, -74, 73}, {-128, 0, 0}})) == FieldError::none);
+    CHECK(opened(file_with_turns(triangle, {{127, 0, 0}, {-128, -128, 100}, {0, 0, 127}})) == FieldError::bad_gloss);
+    CHECK(opened(file_with_turns(triangle, {{127, 0, 0}, {0, 0, 127}, {127, 16, 3}})) == FieldError::bad_gloss);
     std::vector<TestSection> states = surface_sections(s);
     states.push_back(gloss_section(right));
     CHECK(opened(file_with_states(states, light_of(s, two_states()))) == FieldError::bad_gloss);

@@ -162,7 +162,7 @@ constexpr uint32_t states_views_at(uint32_t count, bool has_see_through)
 // Gloss: what smooth surfaces mirror, as maps over mirrored directions. The number of maps, u8, 1 .. kMaxGlossMaps, and
 // three zeros; for each map its gains of r, g and b, u8, and a zero; the maps; then two bits for each patch of the
 // file, the first in the lowest bits: 0, or the number of its map from 1 on. See-through patches have none. All corners
-// of a patch that has one have view tables, whose turns are its normals. Moving parts have none;
+// of a patch that has one have view tables, whose turns are its normals, at most 128/127 long. Moving parts have none;
 // files with states have no such section.
 //
 // A map has kGlossSide × kGlossSide texels of a byte over the octahedral map of directions d, in the sphere's frame: at

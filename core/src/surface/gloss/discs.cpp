@@ -45,14 +45,14 @@ public:
     explicit InverseLength(uint32_t square)
     {
         const int32_t even = normalized(square).leading & ~1;
-        root_q15_ = static_cast<int32_t>(coarse_inverse_root_q15(square << even));
+        root_q14_ = static_cast<int32_t>(coarse_inverse_root_q15(square << even) >> 1);
         shift_ = 16 - even / 2;
     }
-    // v/length, Q14, for v below 2^16.
-    int32_t times(int32_t v) const { return ((v >> 1) * root_q15_) >> shift_; }
+    // v/length, Q14, for v up to the length.
+    int32_t times(int32_t v) const { return (v * root_q14_) >> shift_; }
 
 private:
-    int32_t root_q15_, shift_;
+    int32_t root_q14_, shift_;
 };
 
 // The camera's axes in the frame of the sphere. `back` leads to the eye.

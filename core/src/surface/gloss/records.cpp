@@ -3,6 +3,7 @@
 #include "field/sections.h"
 #include "lumi/surface/detail/gloss.h"
 #include "surface/owners.h"
+#include "surface/view_light.h"
 
 namespace lumi::detail
 {
@@ -26,6 +27,20 @@ bool choices_fit(const SurfaceField& field)
     return true;
 }
 
+// Whether the vertices' turns are of unit length at most, but for their rounding: products of longer ones would
+// overflow.
+bool turns_fit(const SurfaceField& field)
+{
+    constexpr int32_t kMost = 128;  // one is 127
+    for (uint32_t k = 0; k < field.viewed_count; ++k) {
+        const uint8_t* const turn = field.views + k * view_bytes(field.code_bits) + view_turn_at(field.code_bits);
+        int32_t square = 0;
+        for (int c = 0; c < 3; ++c) square += signed_byte(turn + c) * signed_byte(turn + c);
+        if (square > kMost * kMost) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 FieldError read_gloss(const uint8_t* bytes, SurfaceField& field)
@@ -42,7 +57,7 @@ FieldError read_gloss(const uint8_t* bytes, SurfaceField& field)
     for (uint32_t k = 0; k < maps; ++k)
         if (at[kGlossHeaderBytes + k * kGlossGainBytes + 3] != 0) return FieldError::bad_gloss;
     field.gloss = at;
-    return choices_fit(field) ? FieldError::none : FieldError::bad_gloss;
+    return choices_fit(field) && turns_fit(field) ? FieldError::none : FieldError::bad_gloss;
 }
 
 }  // namespace lumi::detail

@@ -95,10 +95,10 @@ private:
     // Sets the map of a patch; false: it has none.
     bool choose(uint32_t patch);
     // Begin the gloss of a whole triangle, of a piece of one that is cut, and of one whose corners lie there in the
-    // disc.
+    // disc: anywhere, since nothing says that memory holds places.
     void begin_whole_gloss(uint32_t triangle);
     void begin_cut_gloss(const Corner (&corner)[3]);
-    void begin_gloss(const Corner (&corner)[3]);
+    void begin_gloss(const Corner (&any)[3]);
     Corner in_disc(const SurfaceVertex* at, uint32_t place) const;
 
     const GlossMemory memory_;
