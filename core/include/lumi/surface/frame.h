@@ -25,7 +25,7 @@ inline constexpr uint32_t kFarDepth = 256;
 inline constexpr uint32_t kNearDepth = 65279;  // rounding on the way never wraps 16 bits
 
 // A gloss map has a colour for each byte, and a square disc of half vectors (surface/detail/gloss.h).
-inline constexpr uint32_t kGlossColours = 256, kGlossDiscSide = 40, kGlossDiscBytes = kGlossDiscSide * kGlossDiscSide;
+inline constexpr uint32_t kGlossColours = 256, kGlossDiscSide = 38, kGlossDiscBytes = kGlossDiscSide * kGlossDiscSide;
 
 // A band has so many lists of triangles, by depth.
 inline constexpr uint32_t kBandLists = 4;

@@ -140,14 +140,14 @@ public:
 
 private:
     static constexpr int32_t kLast = static_cast<int32_t>(kGlossDiscSide) - 1;
-    static constexpr int32_t kBeyondQ28 = 5 << 26;  // two texels beyond the circle
+    static constexpr int32_t kReach = 2 * kRadius + 3;  // half texels: four texels around a place in the circle
 
     void put_four(int32_t x, int32_t y) const
     {
-        const int32_t right = ((2 * x - kLast) * kOneQ14) / (2 * kRadius);
-        const int32_t up = ((kLast - 2 * y) * kOneQ14) / (2 * kRadius);
+        const int32_t to_right = 2 * x - kLast, to_up = kLast - 2 * y;
+        if (to_right * to_right + to_up * to_up > kReach * kReach) return;
+        const int32_t right = to_right * kOneQ14 / (2 * kRadius), up = to_up * kOneQ14 / (2 * kRadius);
         const int32_t square_q28 = right * right + up * up;
-        if (square_q28 > kBeyondQ28) return;
         // Beyond the circle lies what is behind the disc's middle.
         const int32_t left_q28 = (1 << 28) - square_q28;
         const int32_t back = left_q28 > 0 ? root_q14(static_cast<uint32_t>(left_q28)) : 0;

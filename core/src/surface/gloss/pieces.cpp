@@ -25,11 +25,6 @@ int32_t within_disc(int32_t place_q8)
     return place_q8 < kLeast ? kLeast : place_q8 < kMost ? place_q8 : kMost;
 }
 
-Corner within_disc(const Corner& c)
-{
-    return {c.at, within_disc(c.u_q8), within_disc(c.v_q8)};
-}
-
 }  // namespace
 
 LUMI_ALWAYS_INLINE bool GlossPieces::next_whole()
@@ -104,7 +99,8 @@ bool GlossPieces::choose(uint32_t patch)
 
 Corner GlossPieces::in_disc(const SurfaceVertex* at, uint32_t place) const
 {
-    return {at, static_cast<int32_t>(place & 0xFF) * 64, static_cast<int32_t>(place >> 8) * 64};
+    return {at, within_disc(static_cast<int32_t>(place & 0xFF) * 64),
+            within_disc(static_cast<int32_t>(place >> 8) * 64)};
 }
 
 void GlossPieces::begin_whole_gloss(uint32_t triangle)
@@ -132,15 +128,14 @@ void GlossPieces::begin_cut_gloss(const Corner (&corner)[3])
             return whole[0].*place + part_between(whole[0].*place, whole[1].*place, to_b, u[1] - u[0]) +
                    part_between(whole[0].*place, whole[2].*place, to_c, v[2] - v[0]);
         };
-        part[k] = {corner[k].at, mixed(&Corner::u_q8), mixed(&Corner::v_q8)};
+        part[k] = {corner[k].at, within_disc(mixed(&Corner::u_q8)), within_disc(mixed(&Corner::v_q8))};
     }
     begin_gloss(part);
 }
 
-void GlossPieces::begin_gloss(const Corner (&any)[3])
+void GlossPieces::begin_gloss(const Corner (&corner)[3])
 {
     LUMI_TALLY(Work::gloss_begun, 1);
-    const Corner corner[3] = {within_disc(any[0]), within_disc(any[1]), within_disc(any[2])};
     const Seen s = {corner[0].at, corner[1].at, corner[2].at};
     Facing f = {&corner[0], &corner[1], &corner[2], between(*s.a, *s.b), between(*s.a, *s.c)};
     const int32_t wide_q6 = (s.right() >> 8) - (s.left() >> 8), high_q6 = (s.lower() >> 8) - (s.upper() >> 8);

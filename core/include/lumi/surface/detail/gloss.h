@@ -5,7 +5,7 @@
 // modelling programs; the half vector is Blinn's, "Models of Light Reflection", 1977). Each vertex has its place in the
 // disc for its normal and its own direction to the eye. Places are affine over a triangle.
 //
-// A disc is a square of 40 × 40 bytes. Its texel (x, y) has h = ((x - 19.5)/19, (19.5 - y)/19) along right and up; what
+// A disc is a square of 38 × 38 bytes. Its texel (x, y) has h = ((x - 18.5)/18, (18.5 - y)/18) along right and up; what
 // lies beyond the circle is never shown. Between texels discs are bilinear: over a nearly flat surface one covers many
 // pixels.
 #pragma once
@@ -95,10 +95,11 @@ private:
     // Sets the map of a patch; false: it has none.
     bool choose(uint32_t patch);
     // Begin the gloss of a whole triangle, of a piece of one that is cut, and of one whose corners lie there in the
-    // disc: anywhere, since nothing says that memory holds places.
+    // disc.
     void begin_whole_gloss(uint32_t triangle);
     void begin_cut_gloss(const Corner (&corner)[3]);
-    void begin_gloss(const Corner (&any)[3]);
+    void begin_gloss(const Corner (&corner)[3]);
+    // A corner at a place that memory holds, or whatever lies there.
     Corner in_disc(const SurfaceVertex* at, uint32_t place) const;
 
     const GlossMemory memory_;
