@@ -13,10 +13,10 @@ namespace
 constexpr uint32_t kModes = 3;
 constexpr uint32_t kBandLog2 = surface_band_log2(kStripeRows);
 
-// <lumi-view> is small: it weighs no light states and has no gloss.
+// <lumi-view> is small: it weighs no light states.
 #ifdef LUMI_VIEW_ELEMENT
 constexpr SurfaceFeatures kFeatures =
-    SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts;
+    SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts | SurfaceFeatures::gloss;
 #else
 constexpr SurfaceFeatures kFeatures = SurfaceFeatures::all;
 #endif

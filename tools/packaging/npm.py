@@ -6,8 +6,10 @@ Writes the npm package of the web component <lumi-view>: one ES module, made of 
 the module element_viewer.wasm.gz of the build (platform/wasm) in it.
 """
 import base64
+import gzip
 import json
 import pathlib
+import re
 import sys
 
 from project import CORE, PROJECT, ROOT, person, version
@@ -18,8 +20,11 @@ VIEWER = ROOT / "tools/src/viewer"
 def files(module):
     """{name: bytes}. `module`: the path of element_viewer.wasm.gz."""
     own = {name: (VIEWER / "npm" / name).read_bytes() for name in ("lumi-view.d.ts", "README.md")}
-    lines = [line for name in ("page/turner.js", "npm/lumi-view.js") for line in (VIEWER / name).read_text().splitlines()]
-    script = "".join(f"{line}\n" for k, line in enumerate(lines) if k == 0 or not line.strip().startswith("//")).encode()
+    text = "".join((VIEWER / name).read_text() for name in ("page/turner.js", "npm/lumi-view.js"))
+    licence, *lines = text.splitlines()
+    short = [re.sub(r"(^|  +)// .*", "", line.strip()) for line in lines]  # without comments
+    script = "\n".join([licence, *filter(None, short), ""]).encode()
+    packed = gzip.compress(gzip.decompress(module.read_bytes()), mtime=0)  # zlib's is smaller than that of the tool gzip
     manifest = {
         "name": f"@{PROJECT['namespace']}/lumi-view", "version": version(),
         "description": "Path-traced objects that people turn, as a web component",
@@ -29,7 +34,7 @@ def files(module):
         "exports": {".": {"types": "./lumi-view.d.ts", "default": "./lumi-view.js"}},
         "files": ["lumi-view.js", "lumi-view.d.ts"]}
     return {**own, "LICENSE": (CORE / "LICENSE").read_bytes(), "package.json": (json.dumps(manifest, indent=2) + "\n").encode(),
-            "lumi-view.js": script.replace(b"{{module}}", base64.b64encode(module.read_bytes()))}
+            "lumi-view.js": script.replace(b"{{module}}", base64.b64encode(packed))}
 
 
 def main(module, folder):
