@@ -3,6 +3,7 @@
 
 #include "c/views.h"
 #include "lumi/attitude.h"
+#include "surface/gloss_bytes.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -157,6 +158,15 @@ TEST_CASE("every eye, mode and background of surface fields is drawn from C as b
 TEST_CASE("every eye, mode and background of see-through fields is drawn from C as by C++, with its coverage")
 {
     check_frames<SeeThroughView>(see_through_bytes(), LUMI_TWO_BY_TWO, kSurfaceModes, BACKGROUNDS);
+}
+#endif
+
+#ifdef LUMI_C_GLOSS
+TEST_CASE("every eye, mode and background of fields with gloss maps is drawn from C as by C++, with its coverage")
+{
+    using GlossView = View<SurfaceDrawing<98, 128, SurfaceMode::two_by_two, 0, 98, 0, 0, 3>, TestScreen>;
+    const TestSurface ball = ball_for_gloss();
+    check_frames<GlossView>(glossy_file(ball, any_gloss(ball)), LUMI_TWO_BY_TWO, kSurfaceModes, BACKGROUNDS);
 }
 #endif
 
