@@ -14,20 +14,6 @@ namespace
 constexpr int kSide = static_cast<int>(detail::format::kGlossSide);
 constexpr float kLeastCosine = 0.25f, kLeastBack = 1.0f / 64;  // as in core
 
-// Across a side of the octahedral square lies the mirrored texel of the same side.
-uint16_t texel_of(int column, int row)
-{
-    if (column < 0 || column >= kSide) {
-        column = column < 0 ? -1 - column : 2 * kSide - 1 - column;
-        row = kSide - 1 - row;
-    }
-    if (row < 0 || row >= kSide) {
-        row = row < 0 ? -1 - row : 2 * kSide - 1 - row;
-        column = kSide - 1 - column;
-    }
-    return static_cast<uint16_t>(row * kSide + column);
-}
-
 // The half vector along the frame's axes, whose normal leads to the eye.
 Vec2 place_in_disc(const GlossCorner& corner, const Vec3& eye, const Frame& camera)
 {
@@ -61,6 +47,19 @@ bool is_sound(const Gloss& gloss, size_t patches, size_t vertices)
            std::all_of(gloss.normals.begin(), gloss.normals.end(), [](const Vec3& n) { return length(n) <= 1.01f; });
 }
 
+uint16_t gloss_texel(int column, int row)
+{
+    if (column < 0 || column >= kSide) {
+        column = column < 0 ? -1 - column : 2 * kSide - 1 - column;
+        row = kSide - 1 - row;
+    }
+    if (row < 0 || row >= kSide) {
+        row = row < 0 ? -1 - row : 2 * kSide - 1 - row;
+        column = kSide - 1 - column;
+    }
+    return static_cast<uint16_t>(row * kSide + column);
+}
+
 GlossTaps gloss_taps(const std::array<GlossCorner, 3>& corners, const Vec3& eye)
 {
     const Frame camera(normalized(eye));
@@ -74,16 +73,16 @@ GlossTaps gloss_taps(const std::array<GlossCorner, 3>& corners, const Vec3& eye)
     const float x = (o.x + 1) * kSide / 2 - 0.5f, y = (o.y + 1) * kSide / 2 - 0.5f;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const float right = x - static_cast<float>(column), down = y - static_cast<float>(row);
-    return {
-        {texel_of(column, row), texel_of(column + 1, row), texel_of(column, row + 1), texel_of(column + 1, row + 1)},
-        {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down, right * down}};
+    return {{gloss_texel(column, row), gloss_texel(column + 1, row), gloss_texel(column, row + 1),
+             gloss_texel(column + 1, row + 1)},
+            {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down, right * down}};
 }
 
 std::vector<uint8_t> bordered(const std::vector<uint8_t>& texels)
 {
     std::vector<uint8_t> result;
     for (int row = -1; row <= kSide; ++row)
-        for (int column = -1; column <= kSide; ++column) result.push_back(texels[texel_of(column, row)]);
+        for (int column = -1; column <= kSide; ++column) result.push_back(texels[gloss_texel(column, row)]);
     return result;
 }
 

@@ -62,6 +62,10 @@ struct GlossCorner {
 // For an eye that looks at the sphere's centre.
 GlossTaps gloss_taps(const std::array<GlossCorner, 3>& corners, const Vec3& eye);
 
+// A map's texel in a column and a row, of which one may lie a texel beyond a side: there lies the mirrored texel of the
+// same side of the octahedral square.
+uint16_t gloss_texel(int column, int row);
+
 // A map's texels with their border.
 std::vector<uint8_t> bordered(const std::vector<uint8_t>& texels);
 

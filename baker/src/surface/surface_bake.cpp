@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "fit/gloss_fit.h"
-#include "fit/gloss_lines.h"
+#include "fit/gloss/gloss_fit.h"
+#include "fit/gloss/lines.h"
 #include "fit/light_fit.h"
 #include "fit/see_through_light.h"
 #include "fit/texel_density.h"

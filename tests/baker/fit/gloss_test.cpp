@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/gloss_fit.h"
+#include "fit/gloss/gloss_fit.h"
 
 #include <catch2/catch.hpp>
 

@@ -259,7 +259,7 @@ TEST_CASE("gloss: vertices lie in the disc, also where what they mirror is behin
     }
 }
 
-// A sanitizer sees it, or the field's own bounds: memory of the frame ends with the places.
+// A sanitizer sees a read beyond: the frame's memory of features ends with the places.
 TEST_CASE("gloss: no read leaves the disc, whatever lies where places should be, also of pieces of cut triangles")
 {
     TestSurface s;

@@ -233,7 +233,8 @@ void put_gloss(const SurfaceFrame& frame, const SurfaceCamera& camera)
     const CameraAxes axes(camera);
     put_colours(frame, memory.colours);
     Discs(frame, axes, memory.discs).put();
-    for (uint32_t k = 0; k < owner_ranges(frame.field, 0).viewed.end; ++k)
+    const uint32_t end = owner_ranges(frame.field, 0).viewed.end;
+    for (uint32_t k = 0; k < end; ++k)
         if (frame.memory.vertices[k].colour != kUnlit) memory.places[k] = place_in_disc(frame, axes, k);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/gloss_lines.h"
+#include "fit/gloss/lines.h"
 
 #include <algorithm>
 #include <cmath>

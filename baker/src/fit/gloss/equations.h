@@ -4,7 +4,7 @@
 // solve the rest, whose neighbours are held alike.
 #pragma once
 
-#include "fit/gloss_lines.h"
+#include "fit/gloss/lines.h"
 
 namespace lumi::baker
 {

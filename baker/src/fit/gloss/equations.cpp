@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit/gloss_equations.h"
+#include "fit/gloss/equations.h"
 
 #include <cmath>
 
@@ -34,22 +34,18 @@ Pairs node_neighbours()
     return pairs;
 }
 
-// Neighbours in a map. Across a side of the octahedral square lies the mirrored texel of the same side.
+// Neighbours in a map, also across its sides.
 Pairs texel_neighbours()
 {
-    constexpr uint32_t kColumns = detail::format::kGlossSide, kLast = kColumns - 1;
+    constexpr int kColumns = static_cast<int>(detail::format::kGlossSide);
     Pairs pairs;
-    for (uint32_t row = 0; row < kColumns; ++row) {
-        for (uint32_t k = row * kColumns; k < row * kColumns + kLast; ++k) pairs.push_back({k, k + 1});
-        for (uint32_t k = row * kColumns; row != kLast && k < (row + 1) * kColumns; ++k)
-            pairs.push_back({k, k + kColumns});
-    }
-    for (uint32_t k = 0; k < kColumns / 2; ++k) {
-        const uint32_t across = kLast - k;
-        pairs.insert(pairs.end(), {{k, across},
-                                   {kLast * kColumns + k, kLast * kColumns + across},
-                                   {k * kColumns, across * kColumns},
-                                   {k * kColumns + kLast, across * kColumns + kLast}});
+    for (int row = 0; row < kColumns; ++row) {
+        for (int column = 0; column < kColumns; ++column) {
+            const uint32_t texel = gloss_texel(column, row);
+            for (const uint32_t other : {gloss_texel(column - 1, row), gloss_texel(column + 1, row),
+                                         gloss_texel(column, row - 1), gloss_texel(column, row + 1)})
+                if (texel < other) pairs.push_back({texel, other});
+        }
     }
     return pairs;
 }

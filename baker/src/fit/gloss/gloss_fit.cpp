@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "fit/gloss_fit.h"
+#include "fit/gloss/gloss_fit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "fit/gloss_equations.h"
+#include "fit/gloss/equations.h"
 #include "lumi/surface/format.h"
 
 namespace lumi::baker
