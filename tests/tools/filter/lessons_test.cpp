@@ -69,7 +69,9 @@ TEST_CASE("a drawn view over black and over grey is what render shows")
 {
     const test::TemporaryFolder folder;
     test::write_content(folder / "c.lumi", test::field_bytes({}));
-    for (const std::string& path : {write_surface(folder), folder / "c.lumi"}) {
+    test::write_content(folder / "g.lumi", test::glossy_surface_bytes());
+    REQUIRE(gloss_count(FieldFile(folder / "g.lumi").surface()) != 0);
+    for (const std::string& path : {write_surface(folder), folder / "c.lumi", folder / "g.lumi"}) {
         const FieldFile field(path);
         const tools::Eye eye = quality::view_at(40, 20, 3, 48).eye;
         const Planes planes = drawn_planes(field, eye);

@@ -16,11 +16,13 @@ constexpr char kMesh[] =
 constexpr char kMaterials[] =
     "newmtl red\nKd 0.8 0.2 0.1\nnewmtl green\nKd 0.2 0.7 0.2\nnewmtl blue\nKd 0.1 0.2 0.8\nPm 1\nPr 0.3\n";
 
-baker::Scene loaded_cube()
+baker::Scene cube_in(const baker::Environment& environment)
 {
     const TemporaryFolder folder;
     std::vector<std::string> warnings;
-    return baker::load_scene(write_cube(folder.path()), {}, warnings);
+    baker::LoadOptions options;
+    options.environment = environment;
+    return baker::load_scene(write_cube(folder.path()), options, warnings);
 }
 
 baker::SurfaceSettings small_settings()
@@ -44,13 +46,13 @@ std::string write_cube(const std::string& folder)
 
 std::vector<std::string> small_surface_options()
 {
-    return {"--layout",        "surface", "--triangles", "60", "--longest-edge", "0.8",
-            "--texel-density", "8",       "--paths",     "20", "--screen",       "16x16"};
+    return {"--layout", "surface", "--triangles", "60",       "--longest-edge", "0.8",   "--texel-density",
+            "8",        "--paths", "20",          "--screen", "16x16",          "--sky", "gradient"};
 }
 
 const baker::Scene& cube_scene()
 {
-    static const baker::Scene scene = loaded_cube();
+    static const baker::Scene scene = cube_in(baker::gradient_environment());
     return scene;
 }
 
@@ -63,6 +65,13 @@ const baker::SurfaceBake& small_surface()
 std::string small_surface_bytes()
 {
     const std::vector<uint8_t>& file = small_surface().file;
+    return {file.begin(), file.end()};
+}
+
+std::string glossy_surface_bytes()
+{
+    const std::vector<uint8_t> file =
+        baker::surface_field(cube_in(*baker::named_environment("softboxes")), {small_settings()}).file;
     return {file.begin(), file.end()};
 }
 

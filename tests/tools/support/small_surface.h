@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cube with faces of three colours, two of them glossy, and its surface field: baked in a second, a few kilobytes.
+// A cube with faces of three colours, two of them glossy, in a gradient of light, and its surface field: baked in a
+// second, a few kilobytes.
 #pragma once
 
 #include <string>
@@ -20,5 +21,6 @@ std::vector<std::string> small_surface_options();
 const baker::Scene& cube_scene();
 const baker::SurfaceBake& small_surface();  // baked once
 std::string small_surface_bytes();
+std::string glossy_surface_bytes();  // the cube in soft boxes, with gloss maps; baked anew
 
 }  // namespace lumi::tools::test

@@ -49,12 +49,12 @@ void put_coverage(const Picture& over_black, const Picture& over_white, Planes& 
     }
 }
 
-// The texture alone: the same field without its view tables.
+// The texture alone: the same field without its view tables and gloss maps, which use their normals.
 Picture mean_colours(const SurfaceField& field, const Eye& eye)
 {
     SurfaceField plain = field;
     plain.lit_count = 0;
-    plain.views = plain.node_colours = nullptr;
+    plain.views = plain.node_colours = plain.gloss = nullptr;
     tools::SurfaceDrawSettings settings;
     settings.mode = SurfaceMode::one_sample;
     return tools::draw_surface(plain, eye, settings);
