@@ -17,11 +17,14 @@ const char* describe_field(FieldError error)
         case FieldError::bad_magic:
             return "no field lies at this address: look at the section in the map file, or flash the field";
         case FieldError::see_through:
-            return "the field has see-through parts (section SSEE): build with the header that `lumi embed` wrote";
+            return "the field has see-through parts (section SSEE): build with the header that `lumi embed` wrote, or "
+                   "in C with LUMI_C_SEE_THROUGH";
         case FieldError::parts:
-            return "the field has moving parts (section SPRT): build with the header that `lumi embed` wrote";
+            return "the field has moving parts (section SPRT): build with the header that `lumi embed` wrote, or in C "
+                   "with LUMI_C_PARTS";
         case FieldError::gloss:
-            return "the field has gloss maps (section SGLO): build with the header that `lumi embed` wrote";
+            return "the field has gloss maps (section SGLO): build with the header that `lumi embed` wrote, or in C "
+                   "with LUMI_C_GLOSS";
         default:
             return describe(error);
     }

@@ -290,6 +290,10 @@ TEST_CASE("frames that keep the body are those that are prepared anew, and only 
             if (choice == 0)
                 view = any(random) % 4 == 0 ? extreme[any(random) % extreme.size()] : random_view(random, kSide);
             if (choice == 1) mode = kSurfaceModes[any(random) % 3];
+            if (choice == 2) {  // hardly: the projection may stay the same
+                Vec3q30& axis = any(random) % 2 == 0 ? view.pose.right : view.pose.forward;
+                (any(random) % 2 == 0 ? axis.x : axis.z) -= 1 << any(random) % 16;
+            }
             for (uint32_t part = 0; part < 3; ++part)
                 if (any(random) % 2 == 0) mover.set(part, any_value(opened.field(), part, random));
             const Bytes now = mover.look(view, mode);

@@ -198,8 +198,8 @@ void put_states(const SurfaceFrame& frame);
 // Does so for every other vertex of the body.
 void put_states_of_half(const SurfaceFrame& frame, uint32_t half);
 
-// After all triangles were listed it makes the discs of gloss maps for the camera, and places lit vertices in them.
-void put_gloss(const SurfaceFrame& frame, const SurfaceCamera& camera);
+// After all triangles were listed it makes the discs of gloss maps for the eye, and places lit vertices in them.
+void put_gloss(const SurfaceFrame& frame);
 
 // Parts may move if there is memory for them; else they rest.
 inline bool may_move(const SurfaceField& field, const SurfaceMemory& memory)
@@ -258,7 +258,7 @@ void put_see_through_palette(SurfaceFrame& frame)
 // Fills the palettes, and does what kFeatures names: lists see-through parts, weighs states, puts gloss. Opaque
 // triangles have been prepared.
 template <class Pixel, SurfaceFeatures kFeatures>
-void end_frame(SurfaceFrame& frame, [[maybe_unused]] const SurfaceCamera& camera)
+void end_frame(SurfaceFrame& frame)
 {
     put_palette<Pixel>(frame);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through)) {
@@ -266,7 +266,7 @@ void end_frame(SurfaceFrame& frame, [[maybe_unused]] const SurfaceCamera& camera
         if (frame.field.see_through_count != 0) put_see_through_palette<Pixel>(frame);
     }
     if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(frame);
-    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) put_gloss(frame, camera);
+    if constexpr (has(kFeatures, SurfaceFeatures::gloss)) put_gloss(frame);
 }
 
 // `make_body` places the body, lists it, and finds its outlines.
@@ -283,7 +283,7 @@ void prepare_moving(const SurfaceField& field, const SurfaceCamera& camera, Surf
         if constexpr (kFinest != SurfaceMode::one_sample)
             if (out.margin != 0) put_outlines(out, patches.begin, patches.end);
     }
-    if (!keeps_body) return end_frame<Pixel, kFeatures>(out, camera);
+    if (!keeps_body) return end_frame<Pixel, kFeatures>(out);
     if constexpr (has(kFeatures, SurfaceFeatures::see_through))
         if (mover_count(field) != field.part_count) put_see_through(out);  // shadows have moved
     if constexpr (has(kFeatures, SurfaceFeatures::states)) put_states(out);
@@ -319,7 +319,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
         detail::prepare_without_views(field, camera, mode, memory, out);
     if constexpr (kFinest != SurfaceMode::one_sample)
         if (out.margin != 0) detail::put_outlines(out, 0, field.patch_count);
-    detail::end_frame<Pixel, kFeatures>(out, camera);
+    detail::end_frame<Pixel, kFeatures>(out);
 }
 
 }  // namespace lumi

@@ -140,7 +140,7 @@ void prepare_surface(const SurfaceField& field, const SurfaceCamera& camera, Sur
                 });
     }
     if (detail::begin_halves(field, camera, mode, memory, out, halves)) detail::run_steps(halves, both);
-    detail::end_frame<Pixel, kFeatures>(out, camera);
+    detail::end_frame<Pixel, kFeatures>(out);
 }
 
 }  // namespace lumi

@@ -22,11 +22,6 @@ struct Vec3q14 {
     int32_t x, y, z;
 };
 
-Vec3q14 coarse(const Vec3q30& v)
-{
-    return {v.x >> 16, v.y >> 16, v.z >> 16};
-}
-
 // A product of a unit vector and one of at most 3.
 int32_t dot_q14(const Vec3q14& a, const Vec3q14& b)
 {
@@ -55,14 +50,22 @@ private:
     int32_t root_q14_, shift_;
 };
 
-// The camera's axes in the frame of the sphere. `back` leads to the eye.
+// The camera's axes in the frame of the sphere. `back` leads to the eye. They are those of the projection, so that a
+// body that is kept because its projection is the same has the same discs.
 struct CameraAxes {
     Vec3q14 right, up, back;
 
-    explicit CameraAxes(const SurfaceCamera& camera) : right(coarse(camera.right)), up(coarse(camera.up)), back{}
+    explicit CameraAxes(const SurfaceProjection& p)
+        : right(direction(p.axis[0], 1)), up(direction(p.axis[1], -1)), back(direction(p.axis[2], -1))
     {
-        const Vec3q14 forward = coarse(camera.forward);
-        back = {-forward.x, -forward.y, -forward.z};
+    }
+
+private:
+    static Vec3q14 direction(const int32_t (&axis)[3], int32_t sign)
+    {
+        const Vec3q14 v = {sign * axis[0], sign * axis[1], sign * axis[2]};
+        const InverseLength inverse(squared(v));
+        return {inverse.times(v.x), inverse.times(v.y), inverse.times(v.z)};
     }
 };
 
@@ -226,11 +229,11 @@ uint16_t place_in_disc(const SurfaceFrame& frame, const CameraAxes& axes, uint32
 
 }  // namespace
 
-void put_gloss(const SurfaceFrame& frame, const SurfaceCamera& camera)
+void put_gloss(const SurfaceFrame& frame)
 {
     if (gloss_count(frame.field) == 0 || frame.columns.begin >= frame.columns.end) return;
     const GlossMemory memory(frame);
-    const CameraAxes axes(camera);
+    const CameraAxes axes(frame.projection);
     put_colours(frame, memory.colours);
     Discs(frame, axes, memory.discs).put();
     const uint32_t end = owner_ranges(frame.field, 0).viewed.end;
