@@ -68,7 +68,8 @@ void decode(const uint8_t* data, size_t size)
     const size_t end = std::min<size_t>(2 + data[0] + 256u * data[1], size);
     std::optional<FitBasis> basis = decode_basis({data + 2, data + end});
     if (!basis) return;
-    const FitShape shape(std::move(basis->mesh), basis->densities);
+    const FitShape shape(std::move(basis->mesh), basis->densities, std::move(basis->see_through),
+                         std::move(basis->gloss));
     FitState state(shape, tone_of(basis->tone));
     const std::vector<uint8_t> bytes(data + end, data + size);
     static_cast<void>(is_complete(bytes));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lumi/surface/format.h"
+#include "mesh/patch_mesh.h"
 
 namespace lumi::baker
 {
@@ -35,12 +36,15 @@ Vec2 octahedral(const Vec3& d)
 
 }  // namespace
 
-bool is_sound(const Gloss& gloss, size_t patches, size_t vertices)
+bool is_sound(const Gloss& gloss, const PatchMesh& mesh)
 {
     if (!gloss.is_there()) return gloss.choices.empty() && gloss.normals.empty();
     const size_t maps = gloss.maps.size();
-    return maps <= detail::format::kMaxGlossMaps && gloss.choices.size() == patches &&
-           gloss.normals.size() == vertices &&
+    const auto may_have = [&](uint32_t patch) { return patch < mesh.opaque_patches() && mesh.owner_of(patch) == 0; };
+    for (uint32_t p = 0; p < gloss.choices.size(); ++p)
+        if (gloss.choices[p] != 0 && !may_have(p)) return false;
+    return mesh.is_matt == 0 && maps <= detail::format::kMaxGlossMaps && gloss.choices.size() == mesh.patches.size() &&
+           gloss.normals.size() == mesh.positions.size() &&
            std::all_of(gloss.maps.begin(), gloss.maps.end(),
                        [](const GlossMap& m) { return m.texels.size() == detail::format::kGlossMapBytes; }) &&
            std::all_of(gloss.choices.begin(), gloss.choices.end(), [&](uint8_t c) { return c <= maps; }) &&

@@ -13,6 +13,8 @@
 namespace lumi::baker
 {
 
+struct PatchMesh;
+
 struct GlossMap {
     std::array<uint8_t, 3> gains{};  // of a texel's steps, levels times 64
     std::vector<uint8_t> texels;     // with their border
@@ -45,7 +47,7 @@ void fields(Io& io, Gloss& gloss)
     io(gloss.maps, gloss.choices, gloss.normals);
 }
 // Whether all of it fits a mesh.
-bool is_sound(const Gloss& gloss, size_t patches, size_t vertices);
+bool is_sound(const Gloss& gloss, const PatchMesh& mesh);
 
 // The texels of a map around a mirrored direction, without its border, and their weights.
 struct GlossTaps {

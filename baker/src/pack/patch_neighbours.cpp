@@ -53,11 +53,23 @@ const PatchSide* across(const PatchMesh& mesh, const SidesByEdge& sides, const P
     return result;
 }
 
+std::array<int, 3> mean_levels(const GlossMap& map)
+{
+    constexpr int kTexels = detail::format::kGlossSide * detail::format::kGlossSide, kGainUnit = 64;
+    int sum = 0;
+    for (uint32_t k = 0; k < kTexels; ++k) sum += map.texel(k);
+    return {map.gains[0] * sum / kTexels / kGainUnit, map.gains[1] * sum / kTexels / kGainUnit,
+            map.gains[2] * sum / kTexels / kGainUnit};
+}
+
 // Finds the sides along which colours differ.
 class Creases
 {
 public:
-    Creases(const FitShape& shape, const FieldParts& parts) : shape_(shape), parts_(parts) {}
+    Creases(const FitShape& shape, const FieldParts& parts) : shape_(shape), parts_(parts)
+    {
+        for (const GlossMap& map : shape.gloss.maps) means_.push_back(mean_levels(map));
+    }
 
     // Whether the mean colours on both sides differ so much that stairs would show, and by more than a texel does from
     // the next one inwards: where texels are coarse or full of detail, what differs is none of the surface's own.
@@ -76,11 +88,20 @@ public:
             detail +=
                 std::max(difference(own, colour(side, along, 1)), difference(beyond, colour(other, 1 - along, 1)));
         }
+        const std::array<int, 3> own = mean_of_gloss(side), beyond = mean_of_gloss(other);
+        for (size_t c = 0; c < 3; ++c) sum[c] += kPlaces * (own[c] - beyond[c]);
         const int most = std::max({std::abs(sum[0]), std::abs(sum[1]), std::abs(sum[2])});
         return most >= kPlaces * kLeast && most >= kSteeper * detail;
     }
 
 private:
+    // What a patch's map adds to its texels, in the mean.
+    std::array<int, 3> mean_of_gloss(const PatchSide& side) const
+    {
+        const uint8_t choice = means_.empty() ? 0 : shape_.gloss.choices[side.triangle / 2];
+        return choice == 0 ? std::array<int, 3>{} : means_[choice - 1u];
+    }
+
     // Texels from the rectangle's corner (0, 0).
     Vec2 corner(uint32_t patch, uint32_t vertex) const
     {
@@ -113,6 +134,7 @@ private:
 
     const FitShape& shape_;
     const FieldParts& parts_;
+    std::vector<std::array<int, 3>> means_;  // of gloss maps
 };
 
 // Adds those of patches from `first` up to `end`. Vertices at one place are one here, whatever their normals.

@@ -165,7 +165,8 @@ public:
         const auto count = static_cast<uint32_t>(std::count(viewed.begin(), viewed.end(), 1));
         const auto states = static_cast<uint32_t>(lights_.size());
         // Maps take bytes that tables have in plan.
-        const uint64_t planned = planned_view_bytes(shape_.mesh, true, states), gloss = gloss_section_bytes(shape_);
+        const uint64_t planned = planned_view_bytes(shape_.mesh, true, states),
+                       gloss = gloss_file_bytes(shape_.mesh, shape_.gloss.maps.size());
         views_ = quantised(layers, viewed, code_bits_for(planned > gloss ? planned - gloss : 0, count, states));
         for (size_t k = 0; k < views_.size(); ++k) lights_[k].model.nodes = decoded(views_[k]);
     }

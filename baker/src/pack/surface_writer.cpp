@@ -297,7 +297,7 @@ std::vector<uint8_t> gloss_section(const FitShape& shape)
         std::copy_n(shape.gloss.maps[k].gains.begin(), 3,
                     bytes.begin() + format::kGlossHeaderBytes + k * format::kGlossGainBytes);
     for (const GlossMap& map : shape.gloss.maps) bytes.insert(bytes.end(), map.texels.begin(), map.texels.end());
-    bytes.resize(gloss_section_bytes(shape));
+    bytes.resize(format::gloss_bytes(maps, static_cast<uint32_t>(shape.mesh.patches.size())));
     for (size_t p = 0; p < shape.gloss.choices.size(); ++p) {
         uint8_t& four = bytes[format::gloss_choices_at(maps) + p / 4];
         four = static_cast<uint8_t>(four | shape.gloss.choices[p] << 2 * (p % 4));
@@ -321,13 +321,6 @@ std::vector<uint8_t> file_of(const std::vector<Contents>& contents)
 }
 
 }  // namespace
-
-uint32_t gloss_section_bytes(const FitShape& shape)
-{
-    if (!shape.gloss.is_there()) return 0;
-    return detail::format::gloss_bytes(static_cast<uint32_t>(shape.gloss.maps.size()),
-                                       static_cast<uint32_t>(shape.mesh.patches.size()));
-}
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts)
 {

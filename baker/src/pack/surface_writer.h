@@ -59,7 +59,6 @@ struct FieldParts {
     std::vector<uint8_t> means = {};        // by vertex: the entry of the states' palettes that is about its mean
 };
 
-uint32_t gloss_section_bytes(const FitShape& shape);  // 0 without gloss
 
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);
 

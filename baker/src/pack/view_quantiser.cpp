@@ -6,6 +6,7 @@
 
 #include "fit/view_smoothness.h"
 #include "image/palette.h"
+#include "store/section_writer.h"
 
 namespace lumi::baker
 {
@@ -351,6 +352,22 @@ uint64_t table_bytes(uint32_t viewed, uint32_t bits, uint32_t states)
 uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables, uint32_t states)
 {
     return table_bytes(view_tables ? most_viewed_vertices(mesh, states) : 0, kPlannedCodeBits, states);
+}
+
+uint64_t gloss_file_bytes(const PatchMesh& mesh, size_t maps)
+{
+    namespace format = detail::format;
+    if (maps == 0) return 0;
+    const uint32_t section =
+        format::gloss_bytes(static_cast<uint32_t>(maps), static_cast<uint32_t>(mesh.patches.size()));
+    return aligned(section) + aligned(format::kEntryBytes);
+}
+
+uint64_t gloss_bytes_beyond_tables(const PatchMesh& mesh, size_t maps)
+{
+    const uint64_t needed = gloss_file_bytes(mesh, maps),
+                   room = planned_view_bytes(mesh) - aligned(table_bytes(most_viewed_vertices(mesh), 1, 1));
+    return needed > room ? needed - room : 0;
 }
 
 uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states)

@@ -35,8 +35,8 @@ void each(See& see, BakeSettings& s)
 template <class See>
 void each(See& see, SurfaceSettings& s)
 {
-    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, fills, ground, draft, seed,
-           threads] = s;
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, gloss_maps, fills, ground,
+           draft, seed, threads] = s;
     static_cast<void>(threads);
     see("triangles", triangles);
     see("longest edge", longest_edge);
@@ -44,6 +44,7 @@ void each(See& see, SurfaceSettings& s)
     see("paths", paths_per_texel);
     see("cap", cap);
     see("view tables", view_tables);
+    see("gloss maps", gloss_maps);
     see("fill", fills);
     see("ground", ground);
     see("draft", draft);

@@ -42,7 +42,7 @@ bool is_sound(const FitBasis& basis)
                            return is_within(s.pivot, kReach) && is_within(s.corner, kReach) &&
                                   is_within(s.across, kReach) && is_within(s.down, kReach);
                        }) &&
-           is_sound(basis.gloss, mesh.patches.size(), mesh.positions.size()) &&
+           is_sound(basis.gloss, mesh) &&
            std::all_of(basis.see_through.begin(), basis.see_through.end(), [](const SeeThroughTexel& t) {
                const Rgb &light = t.behind, &through = t.through;
                return is_within(t.coverage, 1) && is_within(t.open, 1) &&

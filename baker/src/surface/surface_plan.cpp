@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "fit/fit_shape.h"
+#include "fit/gloss/gloss_fit.h"
 #include "lumi/baker/surface.h"
 #include "lumi/surface/format.h"
 #include "mesh/patch_mesh.h"
@@ -113,7 +114,8 @@ float edge_for(double bytes, bool is_matt)
 }
 
 // RAM of a view as `lumi embed` writes it unless a program says otherwise, and of its stripe.
-uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t states, const host::ScreenSize& screen)
+uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t states, const host::ScreenSize& screen,
+                uint32_t gloss_maps = 0)
 {
     GroundRoom ground = {};
     if (settings.ground) ground = most_ground_room(mesh.longest_edge, settings.texels_per_radius);
@@ -122,7 +124,9 @@ uint64_t ram_of(const PatchMesh& mesh, const SurfaceSettings& settings, uint32_t
                                         SurfaceMode::antialiased,
                                         mesh.see_through_patches + ground.patches,
                                         static_cast<uint32_t>(mesh.parts.size()),
-                                        states > 1 ? states : 0};
+                                        states > 1 ? states : 0,
+                                        gloss_maps,
+                                        most_viewed_vertices(mesh)};
     return uint64_t{host::surface_view_bytes<PixelRgb565>(counts, screen)} +
            host::stripe_pixel_bytes<PixelRgb565>(screen);
 }
@@ -187,10 +191,11 @@ public:
             if (!mend(plan, share, plan.settings.view_tables)) break;
         if (!against(plan, scene_.mesh_is_shell()).empty()) mend(plan, kMoreForMesh[1], false);
         spare_triangles(plan);
+        const uint64_t gloss = limited_gloss(plan);
         if (limits_.chooses_density)
             plan.settings.texels_per_radius =
-                density_of(finest_that_fits(plan.mesh->mesh, plan.settings, states_, limits_.bytes));
-        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings, states_);
+                density_of(finest_that_fits(plan.mesh->mesh, plan.settings, states_, limits_.bytes - gloss));
+        plan.most_bytes = most_bytes(plan.mesh->mesh, plan.settings.texels_per_radius, plan.settings, states_) + gloss;
         plan.against = against(plan, scene_.mesh_is_shell());
     }
 
@@ -277,8 +282,7 @@ private:
     // Whether the mesh takes too many of the bytes, and the settings ask for a smaller one now.
     bool shrinks_to_bytes(SurfacePlan& plan) const
     {
-        const float density = limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
-        const uint64_t least = most_bytes(plan.mesh->mesh, density, plan.settings, states_);
+        const uint64_t least = most_bytes(plan.mesh->mesh, density_for_mesh(plan), plan.settings, states_);
         const auto budget = static_cast<double>(limits_.bytes);
         const double most = limits_.chooses_density && limits_.chooses_triangles ? most_for_mesh_ * budget : budget;
         if (static_cast<double>(least) <= most) return false;
@@ -311,6 +315,31 @@ private:
                         std::to_string(plan.ram_bytes) + " bytes of RAM with a mesh of " +
                         std::to_string(plan.triangles) + " triangles, " + std::to_string(least) +
                         " without any; give more --ram, or fewer --rows");
+    }
+
+    // As many gloss maps as keep to the limits beside the mesh. Returns what they take beyond the tables' bytes.
+    uint64_t limited_gloss(SurfacePlan& plan) const
+    {
+        constexpr uint64_t kMostOneOf = 8;  // of the bytes: texels need them more
+        const PatchMesh& mesh = plan.mesh->mesh;
+        uint32_t& maps = plan.settings.gloss_maps;
+        if (!may_gloss(scene_.data(), mesh, plan.settings)) return 0;
+        const uint64_t others = most_bytes(mesh, density_for_mesh(plan), plan.settings, states_);
+        const auto fit = [&] {
+            const uint64_t beyond = gloss_bytes_beyond_tables(mesh, maps);
+            return others + beyond <= limits_.bytes && beyond <= limits_.bytes / kMostOneOf &&
+                   (!limits_.ram ||
+                    ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps) <= limits_.ram->bytes);
+        };
+        while (maps != 0 && !fit()) --maps;
+        if (limits_.ram) plan.ram_bytes = ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps);
+        return gloss_bytes_beyond_tables(mesh, maps);
+    }
+
+    // The density of the fewest bytes.
+    float density_for_mesh(const SurfacePlan& plan) const
+    {
+        return limits_.chooses_density ? density_of(kCoarsest) : plan.settings.texels_per_radius;
     }
 
     // First by longer edges, since splitting them shows less than triangles do. False where it cannot be.

@@ -6,6 +6,7 @@
 #include "fit/fit_shape.h"
 #include "lumi/baker/reference.h"
 #include "lumi/baker/surface.h"
+#include "lumi/host/view_memory.h"
 #include "lumi/surface/render.h"
 #include "math/sampler.h"
 #include "math/warp.h"
@@ -78,6 +79,11 @@ double error_of(const Scene& scene, const SurfaceBake& bake)
     return sum / count;
 }
 
+Environment studio()
+{
+    return *named_environment("softboxes");
+}
+
 // Beside it a knob moves.
 Scene lacquered_ball(const Environment& environment)
 {
@@ -144,7 +150,7 @@ TEST_CASE("taps of gloss lie around the mirrored direction", "[fit]")
 
 TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most of the error away", "[statistics]")
 {
-    const Scene scene = lacquered_ball(*named_environment("softboxes"));
+    const Scene scene = lacquered_ball(studio());
     SurfacePlan plan = gloss_plan(scene);
     const SurfaceBake with = surface_field(scene, plan);
     REQUIRE(has_gloss(with));
@@ -159,9 +165,82 @@ TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most 
     CHECK((surface_field(scene, plan).file == with.file));
 }
 
+TEST_CASE("gloss maps keep to the limits of bytes and of RAM: as many are fitted as there is room for", "[fit]")
+{
+    const Scene scene = lacquered_ball(studio());
+    const host::ScreenSize screen = {160, 160, 8};
+    const auto within = [&](uint64_t bytes, uint64_t ram) {
+        SurfaceLimits limits;
+        limits.bytes = bytes;
+        limits.ram = RamLimit{ram, screen};
+        limits.chooses_triangles = limits.chooses_edge = false;
+        SurfaceSettings settings = gloss_plan(scene).settings;
+        settings.triangles = 60;
+        settings.longest_edge = 0.8f;
+        settings.paths_per_texel = 2;
+        return plan_surface(scene, settings, limits);
+    };
+    const uint64_t much = 1'000'000;
+    const SurfacePlan roomy = within(60'000, much), few = within(8'000, much);
+    CHECK(roomy.settings.gloss_maps == 3);
+    CHECK(few.settings.gloss_maps < 3);
+    const SurfacePlan plan = within(8'000, few.ram_bytes - 1);
+    CHECK(plan.settings.gloss_maps == few.settings.gloss_maps - 1);
+    const SurfaceBake bake = surface_field(scene, few);
+    SurfaceField field;
+    REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);
+    CHECK(gloss_count(field) == few.settings.gloss_maps);
+    CHECK(bake.file.size() <= few.most_bytes);
+    CHECK(few.most_bytes <= 8'000);
+    CHECK(host::surface_view_bytes<PixelRgb565>(host::counts_of(field, SurfaceMode::antialiased), screen) +
+              host::stripe_pixel_bytes<PixelRgb565>(screen) <=
+          few.ram_bytes);
+}
+
+TEST_CASE("what lies behind a pane has the map that it has without the pane, which is drawn over it", "[fit]")
+{
+    const auto maps_behind = [](bool pane) {
+        SceneMaker maker;
+        maker.ball(maker.add(glossy({0.3f, 0.02f, 0.02f}, 0.15f)), {0, 0, 0}, 0.6f, 40);
+        Material glass = diffuse(grey(0.02f));
+        glass.opacity = 0.4f;
+        if (pane) maker.box(maker.add(glass), {-0.62f, -0.62f, -0.62f}, {0.62f, 0.62f, 0.62f});
+        maker.span_unit_sphere();
+        const Scene scene = maker.make(studio());
+        const SurfacePlan plan = gloss_plan(scene);
+        const BuiltMesh& built = *plan.mesh;
+        const FitShape shape(built.mesh, std::vector<float>(built.mesh.patches.size(), 12));
+        BakeStages stages({}, {});
+        return gloss_of(scene.data(), shape, plan.settings, stages, {}).maps;
+    };
+    const std::vector<GlossMap> without = maps_behind(false), with = maps_behind(true);
+    REQUIRE(without.size() == 1);
+    REQUIRE(with.size() == 1);
+    for (size_t c = 0; c < 3; ++c) CHECK(std::abs(with[0].gains[c] - without[0].gains[c]) <= without[0].gains[c] / 5);
+}
+
+TEST_CASE("gloss that a file states is sound on opaque patches of the body of a shiny mesh alone", "[fit]")
+{
+    const Scene scene = lacquered_ball(studio());
+    PatchMesh mesh = gloss_plan(scene).mesh->mesh;
+    Gloss gloss;
+    gloss.maps.emplace_back();
+    gloss.maps[0].texels.resize(detail::format::kGlossMapBytes);
+    gloss.choices.assign(mesh.patches.size(), 0);
+    gloss.normals.assign(mesh.positions.size(), {0, 0, 1});
+    gloss.choices[0] = 1;
+    CHECK(is_sound(gloss, mesh));
+    REQUIRE(mesh.owner_of(static_cast<uint32_t>(mesh.patches.size() - 1)) == 1);
+    gloss.choices.back() = 1;  // of the knob
+    CHECK(!is_sound(gloss, mesh));
+    gloss.choices.back() = 0;
+    mesh.is_matt = 1;
+    CHECK(!is_sound(gloss, mesh));
+}
+
 TEST_CASE("there is no gloss map where nothing that is mirrored has edges, or view tables are left out", "[fit]")
 {
-    const Scene even = lacquered_ball(gradient_environment()), boxes = lacquered_ball(*named_environment("softboxes"));
+    const Scene even = lacquered_ball(gradient_environment()), boxes = lacquered_ball(studio());
     const PatchMesh mesh;
     SurfaceSettings settings;
     CHECK(may_gloss(boxes.data(), mesh, settings));

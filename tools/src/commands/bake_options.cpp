@@ -191,6 +191,12 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
     command.add_flag_callback(
         "--no-view-tables", [&s] { s.view_tables = false; },
         "surface: colours that do not depend on the direction of view: fewer bytes, no gloss");
+    command
+        .add_option("--gloss-maps", s.gloss_maps,
+                    "surface: at most so many gloss maps, for highlights with edges; each takes RAM and time a frame")
+        ->type_name("N")
+        ->check(whole_number(0, detail::format::kMaxGlossMaps))
+        ->capture_default_str();
     command.add_flag(
         "--ground", s.ground,
         "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware without "

@@ -194,6 +194,7 @@ std::string options_of(const baker::SurfacePlan& plan)
     if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
     if (s.fills) options += " --fill";
     if (s.ground) options += " --ground";
+    if (s.gloss_maps != baker::SurfaceSettings().gloss_maps) options += formatted(" --gloss-maps %u", s.gloss_maps);
     return s.view_tables ? options : options + " --no-view-tables";
 }
 

@@ -30,6 +30,7 @@ struct SurfaceSettings {
     // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
     float cap = 1;
     bool view_tables = true;  // false: colours do not depend on the direction of view
+    uint32_t gloss_maps = 3;  // at most so many, up to 3; for highlights with edges
     bool fills = false;       // texels_per_radius also where fewer texels would show as much
     bool ground = false;      // a soft shadow below the object, on a level ground that is not drawn
     bool draft = false;       // the file says that it is a first look
@@ -85,7 +86,7 @@ struct SurfacePlan {
     uint32_t triangles = 0;  // the mesh has these, and what follows
     MeshLoss loss = {};
     std::vector<MeshWarning> warnings = {};
-    uint64_t most_bytes = 0;             // the file has these if every vertex gets a view table
+    uint64_t most_bytes = 0;             // the file has these if every vertex gets a view table, and all maps pay
     uint64_t ram_bytes = 0;              // 0 where there is no limit
     uint32_t triangles_without_ram = 0;  // before the limit of RAM made the mesh coarser; 0: it did not
     std::string against = {};            // why the mesh does the scene no justice, with figures; may be empty

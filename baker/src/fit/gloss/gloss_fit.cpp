@@ -127,8 +127,9 @@ GlossMap map_of(Colours colours, float& range)
     return map;
 }
 
-// By patch: the map of the material that most lines to it meet. Those that most lines meet get a map, numbered from 1.
-std::vector<uint8_t> choices_of(const GlossLines& all, size_t materials)
+// By patch: the map of the material that most lines to it meet. The materials that most lines meet get a map, numbered
+// from 1.
+std::vector<uint8_t> choices_of(const GlossLines& all, size_t materials, uint32_t most)
 {
     const std::vector<GlossLine>& lines = all.lines;
     std::vector<size_t> count(materials);
@@ -137,7 +138,7 @@ std::vector<uint8_t> choices_of(const GlossLines& all, size_t materials)
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return count[a] > count[b]; });
     std::vector<uint8_t> map_of_material(materials, kNoMap);
-    for (uint32_t k = 0; k < detail::format::kMaxGlossMaps && k < materials; ++k)
+    for (uint32_t k = 0; k < std::min(most, detail::format::kMaxGlossMaps) && k < materials; ++k)
         if (count[order[k]] != 0) map_of_material[order[k]] = static_cast<uint8_t>(k + 1);
     std::vector<std::array<uint32_t, detail::format::kMaxGlossMaps + 1>> votes(all.others.size());
     for (size_t p = 0; p < votes.size(); ++p) votes[p][kNoMap] = all.others[p];
@@ -242,8 +243,8 @@ double judged(const SplitLines& lines, const GlossColours& shown, const GlossCol
 bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings)
 {
     const bool has_edges = scene.choice.environment.picture != nullptr || !scene.fixtures.empty();
-    return has_edges && settings.view_tables && !settings.draft && mesh.is_matt == 0 && scene.states.names.empty() &&
-           !scene.medium;
+    return has_edges && settings.gloss_maps != 0 && settings.view_tables && !settings.draft && mesh.is_matt == 0 &&
+           scene.states.names.empty() && !scene.medium;
 }
 
 Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSettings& settings, BakeStages& stages,
@@ -256,7 +257,7 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
     const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 20);
     const GlossLines all = gloss_lines(scene, shape, settings, stages, job);
     if (all.lines.size() < kFewest) return {};
-    const std::vector<uint8_t> choices = choices_of(all, scene.materials.size());
+    const std::vector<uint8_t> choices = choices_of(all, scene.materials.size(), settings.gloss_maps);
     const std::vector<Vec3> normals = normals_of(shape, all.lines);
     const uint32_t maps = *std::max_element(choices.begin(), choices.end());
     const SplitLines lines(all.lines);

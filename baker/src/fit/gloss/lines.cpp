@@ -89,7 +89,8 @@ private:
         const float inwards = std::sqrt(std::max(0.0f, 1 - place.x * place.x - place.y * place.y));
         ray = {Frame(direction).to_world({place.x, place.y, -inwards}), direction};
         if (!cap_.sees(ray)) return false;
-        const std::optional<Hit> seen = closest_opaque(scene_, ray, sampler), hit = mesh_.closest(ray);
+        std::vector<Hit> passed;
+        const std::optional<Hit> seen = closest_opaque(scene_, ray, sampler, passed), hit = mesh_.closest(ray);
         if (!seen || !hit || std::abs(seen->distance - hit->distance) > kMaxDepthError) return false;
         line.material = scene_.mesh.materials[seen->triangle];
         line.noise = smooth_[line.material] ? 0 : kNotSmooth;
@@ -99,6 +100,9 @@ private:
         line.second = hit->u;
         line.third = hit->v;
         line.eye = eye_of(ray);
+        // Panes tint what is drawn behind them, so its light begins behind the last of them.
+        if (!passed.empty())
+            ray.origin = ray.origin + ray.direction * ((passed.back().distance + seen->distance) / 2);
         return true;
     }
 
