@@ -79,21 +79,32 @@ private:
         baker::SurfacePlan few = trial.plan;
         few.settings.paths_per_texel = std::min(few.settings.paths_per_texel, kTrialPaths);
         const baker::SurfaceBake bake = baker::surface_field(scene_, few, progress_);
-        SurfaceField field;
-        if (open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) != FieldError::none)
-            return false;
-        for (size_t k = 0; k < kWayCount; ++k) rate(trial, field, k);
+        SurfaceField field, plain;
+        if (!opens(bake, field)) return false;
+        plain = field;
+        plain.lit_count = 0;
+        baker::SurfaceBake without;
+        if (gloss_count(field) != 0) {  // texels beside maps lack what these add
+            few.settings.view_tables = false;
+            without = baker::surface_field(scene_, few, progress_);
+            if (!opens(without, plain)) return false;
+        }
+        for (size_t k = 0; k < kWayCount; ++k)
+            if (kWays[k].view_tables)
+                rate(trial, field, k);
+            else if (field.viewed_count != 0)  // else the way with tables is the same
+                rate(trial, plain, k);
         trials_.push_back(std::move(trial));
         return true;
     }
 
-    void rate(Trial& trial, SurfaceField field, size_t k) const
+    static bool opens(const baker::SurfaceBake& bake, SurfaceField& field)
     {
-        const bool has_tables = field.viewed_count != 0;
-        if (!kWays[k].view_tables) {
-            if (!has_tables) return;  // the way with tables is the same
-            field.lit_count = 0;
-        }
+        return open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none;
+    }
+
+    void rate(Trial& trial, const SurfaceField& field, size_t k) const
+    {
         SurfaceDrawSettings settings;
         settings.mode = kWays[k].mode;
         trial.psnr_db[k] =

@@ -111,6 +111,14 @@ int rated_poses(const host::ScreenSize& screen)
     return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
 }
 
+// What one core alone prepares: gloss.
+FrameWork gloss_of(const FrameWork& work)
+{
+    FrameWork gloss;
+    for (const Work one : {Work::gloss_vertex, Work::gloss_texel}) gloss.done[static_cast<size_t>(one)] = work[one];
+    return gloss;
+}
+
 std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen,
                                     int poses)
 {
@@ -136,8 +144,9 @@ std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode,
             rate.worst = std::min(rate.worst, fps);
             rate.instructions += share * instructions;
             if (chip.cores < 2) continue;
-            const double preparing = instructions_of(chip.core, work.preparing);
-            const double of_two = kPrepareByTwo * preparing + (instructions - preparing) / 2;
+            const double by_one = instructions_of(chip.core, gloss_of(work.preparing)),
+                         preparing = instructions_of(chip.core, work.preparing) - by_one;
+            const double of_two = by_one + kPrepareByTwo * preparing + (instructions - by_one - preparing) / 2;
             rate.mean_of_two += share * frames_per_second(chip, static_cast<uint64_t>(of_two), misses, pixels);
         }
         rates.push_back(rate);
