@@ -36,7 +36,7 @@ build_programs() {
 bake_fields() {
   local scene=$root/baker/scenes/product.obj
   [[ -x $lumi ]] || (cd "$root" && cmake --preset release && cmake --build --preset release --target lumi)
-  [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10
+  [[ -f $work/surface.lumi ]] || "$lumi" bake "$scene" -o "$work/surface.lumi" --layout surface --fit 60kB --paths 10 --sky gradient
   python3 -B "$root/tools/lab/scenes/write_scenes.py" "$work"
   [[ -f $work/bottle.lumi ]] || "$lumi" bake "$work/bottle.json" -o "$work/bottle.lumi" --layout surface --fit 60kB --paths 10
   [[ -f $work/moving.lumi ]] || "$lumi" bake "$root/baker/scenes/clock.json" -o "$work/moving.lumi" --state glow \

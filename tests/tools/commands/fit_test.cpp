@@ -154,8 +154,8 @@ TEST_CASE("a surface field is planned for a rate: finely drawn for a low one, el
 {
     const test::TemporaryFolder folder;
     const std::string scene = test::write_cube(folder.path());
-    const Arguments plan = {"bake",    scene,   "-o",   folder / "o.lumi", "--layout",
-                            "surface", "--fit", "15kB", "--plan-only",     "--for"};
+    const Arguments plan = {"bake",  scene,  "-o",          folder / "o.lumi", "--layout", "surface",
+                            "--fit", "15kB", "--plan-only", "--sky",           "gradient", "--for"};
     const auto planned = [&](const std::string& pace) { return done(lumi(joined(plan, {pace}))).out; };
     CHECK_THAT(planned("rp2040@1fps"), Catch::StartsWith("RP2040 at 1 frames a second: antialiased, ") &&
                                            Catch::Contains("is faster: one-sample"));
