@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random frames at the ends of what cameras and stripes may be: a million of each layout under AddressSanitizer and
+// Random frames at the ends of what cameras and stripes may be: 100,000 of each layout under AddressSanitizer and
 // UndefinedBehaviorSanitizer by `tools/test.sh --all`, a sample of them elsewhere. No intermediate overflows, nothing
 // beside a stripe is touched, and no pixel depends on what memory held before.
 #pragma once

@@ -85,9 +85,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     const bool is_chord = choose.once_in(4);
     const bool is_opaque = choose.once_in(2);
     test::ExtremeSurfaces surfaces(choose, test::kSmallSurface);
-    const test::Bytes file = is_chord    ? test::ExtremeChords(choose, test::kSmallChord).next()
-                             : is_opaque ? surfaces.next()
-                                         : surfaces.next_see_through();
+    const test::Bytes file = is_chord            ? test::ExtremeChords(choose, test::kSmallChord).next()
+                             : is_opaque         ? surfaces.next()
+                             : choose.once_in(2) ? surfaces.next_see_through()
+                                                 : surfaces.next_with_gloss();
     if (verify_field(file.data(), file.size()) != FieldError::none) std::abort();
     const uint64_t before = fuzz::drawn.chords + fuzz::drawn.surfaces;
     fuzz::draw_field(file.data(), file.size(), scene);

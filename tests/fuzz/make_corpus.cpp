@@ -57,9 +57,10 @@ void write_extremes(const std::filesystem::path& folder)
     test::ExtremeSurfaces surfaces(choices, test::kSmallSurface);
     for (uint32_t k = 0; k < kExtremeFields; ++k)
         write_seed(folder / ("extreme-" + std::to_string(k)),
-                   k % 3 == 0   ? chords.next()
-                   : k % 3 == 1 ? surfaces.next()
-                                : surfaces.next_see_through(),
+                   k % 4 == 0   ? chords.next()
+                   : k % 4 == 1 ? surfaces.next()
+                   : k % 4 == 2 ? surfaces.next_see_through()
+                                : surfaces.next_with_gloss(),
                    kControlBytes);
 }
 

@@ -16,7 +16,7 @@ using namespace detail::container;
 
 constexpr uint32_t kAllTypes[] = {
     kLayoutSection, kTexelSection, kPaletteSection,   kSurfaceSection,    kVertexSection, kPatchSection, kColourSection,
-    kPaletteRgb,    kViewSection,  kNeighbourSection, kSeeThroughSection, kPartsSection,  kStateSection};
+    kPaletteRgb,    kViewSection,  kNeighbourSection, kSeeThroughSection, kPartsSection,  kStateSection, kGlossSection};
 
 }  // namespace
 

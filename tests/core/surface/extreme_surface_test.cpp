@@ -133,6 +133,25 @@ TEST_CASE("fields whose states are of any numbers open, verify and hold in rando
     check_shown("fields with states", kStatesFrames, shown, 20);
 }
 
+TEST_CASE("fields whose gloss maps are of any numbers open, verify and hold in random frames at every extreme")
+{
+    Choices choices(19);
+    Extremes extremes(20);
+    uint64_t shown = 0;
+    uint32_t with_maps = 0;
+    for (uint32_t k = 0; k < kGeneratedFrames; k += kFramesAField) {
+        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_with_gloss());
+        INFO("field " << k / kFramesAField);
+        REQUIRE(surface.error() == FieldError::none);
+        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
+        with_maps += gloss_count(surface.field()) != 0;
+        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
+            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
+    }
+    CHECK(with_maps > kGeneratedFrames / kFramesAField / 4);
+    check_shown("fields with gloss maps", kGeneratedFrames, shown, 10);
+}
+
 TEST_CASE("surface fields hold in random frames at every extreme")
 {
     std::vector<std::unique_ptr<OpenedSurface>> surfaces;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "choices.h"
-#include "surface/states_bytes.h"
+#include "surface/gloss_bytes.h"
 
 namespace lumi::test
 {
@@ -66,7 +66,46 @@ public:
         return file_with_states(sections, light);
     }
 
+    // Opaque patches whose corners have tables may have maps, of any numbers.
+    Bytes next_with_gloss()
+    {
+        TestSurface s;
+        std::vector<TestSection> sections = sections_of(s);
+        if (s.viewed == 0) return file_of(sections);
+        shorten_turns(s, sections.back());
+        sections.push_back(neighbours(s));
+        TestGloss gloss;
+        gloss.gains.resize(1 + choose_.below(detail::format::kMaxGlossMaps));
+        for (auto& gain : gloss.gains) {
+            for (uint8_t& g : gain) g = choose_.extreme_byte();
+            gloss.maps.push_back(scattered_bytes(detail::format::kGlossMapBytes, choose_.extreme_byte()));
+            if (choose_.once_in(2)) gloss.maps.back().assign(detail::format::kGlossMapBytes, choose_.extreme_byte());
+        }
+        for (const TestPatch& p : s.patches) {
+            bool may = true;
+            for (const uint32_t corner : {p.a, p.b, p.c, p.d})
+                may = may && (corner < s.viewed || corner == detail::format::kNoVertex);
+            const uint32_t choice = choose_.below(static_cast<uint32_t>(gloss.gains.size()) + 1);
+            gloss.choices.push_back(static_cast<uint8_t>(may ? choice : 0));
+        }
+        sections.push_back(gloss_section(gloss));
+        return file_of(sections);
+    }
+
 private:
+    // Turns to normals, at most as long as a file with gloss may have them: along an axis, none, or any.
+    void shorten_turns(const TestSurface& s, TestSection& views)
+    {
+        const uint32_t first = detail::format::view_colours_bytes(s.code_bits),
+                       bytes = detail::format::view_bytes(s.code_bits);
+        for (uint32_t v = 0; v < s.viewed; ++v) {
+            uint8_t* const turn = &views.bytes[first + v * bytes + detail::format::view_turn_at(s.code_bits)];
+            const bool is_axis = choose_.once_in(2);
+            for (uint32_t c = 0; c < 3; ++c) turn[c] = is_axis ? 0 : static_cast<uint8_t>(choose_.between(-73, 73));
+            if (is_axis && choose_.below(8) != 0) turn[choose_.below(3)] = choose_.once_in(2) ? 127 : 128;
+        }
+    }
+
     // All but neighbours.
     std::vector<TestSection> sections_of(TestSurface& s)
     {
