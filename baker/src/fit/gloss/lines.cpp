@@ -101,8 +101,7 @@ private:
         line.third = hit->v;
         line.eye = eye_of(ray);
         // Panes tint what is drawn behind them, so its light begins behind the last of them.
-        if (!passed.empty())
-            ray.origin = ray.origin + ray.direction * ((passed.back().distance + seen->distance) / 2);
+        if (!passed.empty()) ray.origin = ray.origin + ray.direction * ((passed.back().distance + seen->distance) / 2);
         return true;
     }
 
