@@ -16,7 +16,9 @@ namespace lumi::baker
 struct PatchMesh;
 
 struct GlossMap {
-    std::array<uint8_t, 3> gains{};  // of a texel's steps, levels times 64
+    static constexpr int kGainUnit = 64;  // a gain of 1 level a step
+
+    std::array<uint8_t, 3> gains{};  // levels of a texel's steps, times kGainUnit
     std::vector<uint8_t> texels;     // with their border
 
     // One of those without.

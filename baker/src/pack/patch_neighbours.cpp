@@ -55,11 +55,11 @@ const PatchSide* across(const PatchMesh& mesh, const SidesByEdge& sides, const P
 
 std::array<int, 3> mean_levels(const GlossMap& map)
 {
-    constexpr int kTexels = detail::format::kGlossSide * detail::format::kGlossSide, kGainUnit = 64;
+    constexpr uint32_t kTexels = detail::format::kGlossSide * detail::format::kGlossSide;
     int sum = 0;
     for (uint32_t k = 0; k < kTexels; ++k) sum += map.texel(k);
-    return {map.gains[0] * sum / kTexels / kGainUnit, map.gains[1] * sum / kTexels / kGainUnit,
-            map.gains[2] * sum / kTexels / kGainUnit};
+    const auto level = [&](uint8_t gain) { return gain * sum / static_cast<int>(kTexels) / GlossMap::kGainUnit; };
+    return {level(map.gains[0]), level(map.gains[1]), level(map.gains[2])};
 }
 
 // Finds the sides along which colours differ.

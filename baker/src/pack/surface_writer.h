@@ -59,7 +59,6 @@ struct FieldParts {
     std::vector<uint8_t> means = {};        // by vertex: the entry of the states' palettes that is about its mean
 };
 
-
 std::vector<uint8_t> surface_file(const FitShape& shape, const FieldParts& parts);
 
 }  // namespace lumi::baker

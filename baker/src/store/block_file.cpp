@@ -13,7 +13,7 @@ namespace
 
 constexpr char kMagic[] = "LUMIROWS";
 constexpr size_t kMagicBytes = sizeof kMagic - 1;
-constexpr uint32_t kVersion = 8;
+constexpr uint32_t kVersion = 9;
 
 std::vector<uint8_t> read_head(const PosixFile& file)
 {

@@ -14,7 +14,7 @@ using detail::format::kNoNeighbour;
 
 // Two squares that share the side from b to d of the first, whose texels are those of two functions of the row.
 template <class Left, class Right>
-std::vector<std::array<uint16_t, 4>> neighbours(Left left, Right right, uint32_t see_through = 0)
+std::vector<std::array<uint16_t, 4>> neighbours(Left left, Right right, uint32_t see_through = 0, Gloss gloss = {})
 {
     PatchMesh mesh;
     mesh.longest_edge = 1;
@@ -23,7 +23,7 @@ std::vector<std::array<uint16_t, 4>> neighbours(Left left, Right right, uint32_t
     mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
     mesh.patches = {{0, 1, 3, 4}, {1, 2, 4, 5}};
     mesh.see_through_patches = see_through;
-    const FitShape shape(mesh, {16, 16});
+    const FitShape shape(mesh, {16, 16}, {}, std::move(gloss));
     FieldParts parts{};
     for (size_t k = 0; k < parts.palette.size(); ++k) parts.palette[k].g = static_cast<uint8_t>(k);
     parts.texels.resize(shape.layout.texels);
@@ -59,4 +59,18 @@ TEST_CASE("neither small differences nor the texture's own detail nor see-throug
     CHECK(neighbours(chequers, opposite)[0][3] == 2);
     CHECK(neighbours(
               grey, [](uint32_t) { return 200; }, 1)[0][3] == kNoNeighbour);
+}
+
+TEST_CASE("what a gloss map adds in the mean counts as colour of its patch")
+{
+    Gloss gloss;
+    gloss.maps.resize(1);
+    gloss.maps[0].gains = {0, GlossMap::kGainUnit, 0};
+    gloss.maps[0].texels.assign(detail::format::kGlossMapBytes, 30);
+    gloss.choices = {1, 0};
+    gloss.normals.assign(6, {0, 0, 1});
+    const auto grey = [](uint32_t) { return 100; };
+    const auto lighter = [](uint32_t) { return 130; };
+    CHECK(neighbours(grey, lighter, 0, gloss)[0][3] == 2);
+    CHECK(neighbours(grey, grey, 0, gloss)[0][3] == (2 | kCrease));
 }

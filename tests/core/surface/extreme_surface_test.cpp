@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
+#include <functional>
 #include <memory>
 
 #include "extreme_frames.h"
@@ -56,6 +57,27 @@ uint64_t draw_surface(SurfaceField field, const Extreme& e, bool twice)
     });
 }
 
+// Random frames of generated fields, some frames of each.
+template <class Opened>
+void check_generated(
+    const char* what, uint32_t frames, uint32_t seed, Bytes (ExtremeSurfaces::*next)(),
+    const std::function<void(const SurfaceField&)>& check = [](const SurfaceField&) {})
+{
+    Choices choices(seed);
+    Extremes extremes(seed + 1);
+    uint64_t shown = 0;
+    for (uint32_t k = 0; k < frames; k += kFramesAField) {
+        const Opened surface((ExtremeSurfaces(choices, kLargestSurface).*next)());
+        INFO("field " << k / kFramesAField);
+        REQUIRE(surface.error() == FieldError::none);
+        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
+        check(surface.field());
+        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
+            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
+    }
+    check_shown(what, frames, shown, 20);
+}
+
 }  // namespace
 
 TEST_CASE("surfaces beside an eye that looks along the sphere hold at every distance and lens")
@@ -85,71 +107,29 @@ TEST_CASE("surfaces beside an eye that looks along the sphere hold at every dist
 
 TEST_CASE("surface fields whose every number is at its end open, verify and hold in random frames at every extreme")
 {
-    Choices choices(13);
-    Extremes extremes(14);
-    uint64_t shown = 0;
-    for (uint32_t k = 0; k < kGeneratedFrames; k += kFramesAField) {
-        const OpenedSurface surface(ExtremeSurfaces(choices, kLargestSurface).next());
-        INFO("field " << k / kFramesAField);
-        REQUIRE(surface.error() == FieldError::none);
-        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
-        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
-            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
-    }
-    check_shown("generated surface fields", kGeneratedFrames, shown, 20);
+    check_generated<OpenedSurface>("generated surface fields", kGeneratedFrames, 13, &ExtremeSurfaces::next);
 }
 
 TEST_CASE("see-through fields whose every number is at its end open, verify and hold in random frames at every extreme")
 {
-    Choices choices(15);
-    Extremes extremes(16);
-    uint64_t shown = 0;
-    for (uint32_t k = 0; k < kGeneratedFrames; k += kFramesAField) {
-        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_see_through());
-        INFO("field " << k / kFramesAField);
-        REQUIRE(surface.error() == FieldError::none);
-        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
-        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
-            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
-    }
-    check_shown("generated see-through fields", kGeneratedFrames, shown, 20);
+    check_generated<OpenedGlass>("generated see-through fields", kGeneratedFrames, 15,
+                                 &ExtremeSurfaces::next_see_through);
 }
 
 TEST_CASE("fields whose states are of any numbers open, verify and hold in random frames at every extreme")
 {
-    constexpr uint32_t kStatesFrames = kGeneratedFrames / 4;
-    Choices choices(17);
-    Extremes extremes(18);
-    uint64_t shown = 0;
-    for (uint32_t k = 0; k < kStatesFrames; k += kFramesAField) {
-        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_with_states());
-        INFO("field " << k / kFramesAField);
-        REQUIRE(surface.error() == FieldError::none);
-        REQUIRE(surface.field().state_count >= 2);
-        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
-        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
-            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
-    }
-    check_shown("fields with states", kStatesFrames, shown, 20);
+    const auto check = [](const SurfaceField& field) { REQUIRE(field.state_count >= 2); };
+    check_generated<OpenedGlass>("fields with states", kGeneratedFrames / 4, 17, &ExtremeSurfaces::next_with_states,
+                                 check);
 }
 
 TEST_CASE("fields whose gloss maps are of any numbers open, verify and hold in random frames at every extreme")
 {
-    Choices choices(19);
-    Extremes extremes(20);
-    uint64_t shown = 0;
     uint32_t with_maps = 0;
-    for (uint32_t k = 0; k < kGeneratedFrames; k += kFramesAField) {
-        const OpenedGlass surface(ExtremeSurfaces(choices, kLargestSurface).next_with_gloss());
-        INFO("field " << k / kFramesAField);
-        REQUIRE(surface.error() == FieldError::none);
-        REQUIRE(verify_field(surface.bytes().data(), surface.bytes().size()) == FieldError::none);
-        with_maps += gloss_count(surface.field()) != 0;
-        for (uint32_t frame = 0; frame < kFramesAField; ++frame)
-            shown += draw_surface(surface.field(), extremes.next(), frame == 0);
-    }
+    const auto check = [&](const SurfaceField& field) { with_maps += gloss_count(field) != 0; };
+    check_generated<OpenedGlass>("fields with gloss maps", kGeneratedFrames, 19, &ExtremeSurfaces::next_with_gloss,
+                                 check);
     CHECK(with_maps > kGeneratedFrames / kFramesAField / 4);
-    check_shown("fields with gloss maps", kGeneratedFrames, shown, 10);
 }
 
 TEST_CASE("surface fields hold in random frames at every extreme")

@@ -41,6 +41,8 @@ TEST_CASE("a wrong call ends with 2, says what is wrong on stderr and writes not
         {{"bake", kScene, "-o", baked, "--triangles", "50", "--origins", "64"}, "leave one of them out"},
         {{"bake", kScene, "-o", baked, "--layout", "surface", "--spp", "4"}, "--spp does not go with --layout surface"},
         {{"bake", kScene, "-o", baked, "--layout", "chord", "--paths", "4"}, "--paths does not go with --layout chord"},
+        {{"bake", kScene, "-o", baked, "--layout", "chord", "--gloss-maps", "1"},
+         "--gloss-maps does not go with --layout chord"},
         {{"compare", png}, "lumi compare --help"},
         {render("--frob", "1"), "--frob"},
         {{"render", field, "-o", folder / "o.tga"}, "o.png, not \""},

@@ -27,8 +27,8 @@ constexpr std::array kSurfaceShape = {"--triangles",      "--longest-edge", "--t
                                       "--no-view-tables", "--ground",       "--draft"};
 // A draft chooses these.
 constexpr std::array kOfDraft = {"--fit", "--fill", "--triangles", "--longest-edge", "--texel-density", "--paths"};
-// Only surface fields take it, but it says nothing of the layout: a scene may still suit only the other one.
-constexpr std::array kSurfaceTime = {"--paths", "--fill"};
+// Only surface fields take these, but they say nothing of the layout: a scene may still suit only the other one.
+constexpr std::array kSurfaceOther = {"--paths", "--fill", "--gloss-maps"};
 
 // The first of them that was given; null if none was.
 template <class Names>
@@ -55,7 +55,7 @@ Layout resolved_layout(const CLI::App& command, Layout layout)
 {
     const char* chord = is_chord_cap(command) ? "--cap with a number of origins" : first_given(command, kChordOnly);
     const char* shape = first_given(command, kSurfaceShape);
-    const char* surface = shape != nullptr ? shape : first_given(command, kSurfaceTime);
+    const char* surface = shape != nullptr ? shape : first_given(command, kSurfaceOther);
     if (layout == Layout::chord) refuse(surface, "chord");
     if (layout == Layout::surface) refuse(chord, "surface");
     if (layout != Layout::automatic) return layout;

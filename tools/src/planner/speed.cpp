@@ -43,6 +43,14 @@ std::optional<double> parse_rate(std::string_view text)
     return rate;
 }
 
+// What one core alone prepares: gloss.
+FrameWork gloss_of(const FrameWork& work)
+{
+    FrameWork gloss;
+    for (const Work one : {Work::gloss_vertex, Work::gloss_texel}) gloss.done[static_cast<size_t>(one)] = work[one];
+    return gloss;
+}
+
 }  // namespace
 
 std::optional<Pace> parse_pace(const std::string& text)
@@ -109,14 +117,6 @@ int rated_poses(const host::ScreenSize& screen)
 {
     constexpr double kMostPixels = 480.0 * 480 * kRatedPoses, kFewest = 4;
     return static_cast<int>(std::clamp<double>(kMostPixels / screen.width_px / screen.height_px, kFewest, kRatedPoses));
-}
-
-// What one core alone prepares: gloss.
-FrameWork gloss_of(const FrameWork& work)
-{
-    FrameWork gloss;
-    for (const Work one : {Work::gloss_vertex, Work::gloss_texel}) gloss.done[static_cast<size_t>(one)] = work[one];
-    return gloss;
 }
 
 std::vector<PartRate> surface_rates(const SurfaceField& field, SurfaceMode mode, const host::ScreenSize& screen,

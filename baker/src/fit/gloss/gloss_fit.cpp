@@ -115,14 +115,14 @@ GlossMap map_of(Colours colours, float& range)
         along.push_back(c[0] * direction[0] + c[1] * direction[1] + c[2] * direction[2]);
     const auto [least, most] = std::minmax_element(along.begin(), along.end());
     range = *most - *least;
-    constexpr float kSteps = 255, kGainUnit = 64;
+    constexpr float kSteps = 255;
     GlossMap map;
     std::vector<uint8_t> texels;
     for (const float a : along)
         texels.push_back(static_cast<uint8_t>(range > 0 ? std::lround((a - *least) / range * kSteps) : 0));
     for (size_t c = 0; c < 3; ++c)
-        map.gains[c] =
-            static_cast<uint8_t>(std::clamp(std::lround(direction[c] * range / kSteps * kGainUnit), 0L, 255L));
+        map.gains[c] = static_cast<uint8_t>(
+            std::clamp(std::lround(direction[c] * range / kSteps * GlossMap::kGainUnit), 0L, 255L));
     map.texels = bordered(texels);
     return map;
 }
