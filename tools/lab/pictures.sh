@@ -53,7 +53,7 @@ draw_readme() {
 
 draw_looks() {
   local sky
-  for sky in gradient softboxes overcast evening; do
+  for sky in studio gradient overcast evening; do
     "$lumi" reference "$scenes/product.obj" -o "$root/docs/img/look-$sky.png" --sky "$sky" --spp 512 "${readme_view[@]}" \
       >/dev/null
   done

@@ -67,16 +67,6 @@ Environment painted(const Environment& gradient, const std::vector<SoftBox>& box
     return environment;
 }
 
-// A large box above and a little behind, the key light at the left front, a strip at the right behind, a light floor.
-// The other sides are dark. White of 0.8 stays just below clipping wherever it faces.
-Environment soft_boxes()
-{
-    return painted({{0.2f, 0.2f, 0.2f}, {0.15f, 0.15f, 0.15f}, {0.5f, 0.5f, 0.5f}},
-                   {{175, 78, 0.66f, 0.42f, 0.1f, grey(3.5f)},
-                    {-54, 17, 0.32f, 0.5f, 0.1f, grey(5)},
-                    {138, 14, 0.14f, 0.6f, 0.1f, grey(6.8f)}});
-}
-
 // The sun is a broad bright spot in the clouds.
 Environment overcast()
 {
@@ -111,15 +101,19 @@ Environment gradient_environment()
     return {{1.55f, 1.58f, 1.65f}, {0.5f, 0.5f, 0.52f}, {0.16f, 0.15f, 0.14f}};
 }
 
+// A large box above and a little behind, the key light at the left front, a strip at the right behind, a light floor.
+// The other sides are dark. White of 0.8 stays just below clipping wherever it faces.
 Environment studio_environment()
 {
-    return gradient_environment();
+    return painted({{0.2f, 0.2f, 0.2f}, {0.15f, 0.15f, 0.15f}, {0.5f, 0.5f, 0.5f}},
+                   {{175, 78, 0.66f, 0.42f, 0.1f, grey(3.5f)},
+                    {-54, 17, 0.32f, 0.5f, 0.1f, grey(5)},
+                    {138, 14, 0.14f, 0.6f, 0.1f, grey(6.8f)}});
 }
 
 std::optional<Environment> named_environment(const std::string& name)
 {
     if (name == "studio") return studio_environment();
-    if (name == "softboxes") return soft_boxes();
     if (name == "gradient") return gradient_environment();
     if (name == "overcast") return overcast();
     if (name == "evening") return evening();

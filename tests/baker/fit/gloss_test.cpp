@@ -79,11 +79,6 @@ double error_of(const Scene& scene, const SurfaceBake& bake)
     return sum / count;
 }
 
-Environment studio()
-{
-    return *named_environment("softboxes");
-}
-
 // Beside it a knob moves.
 Scene lacquered_ball(const Environment& environment)
 {
@@ -150,7 +145,7 @@ TEST_CASE("taps of gloss lie around the mirrored direction", "[fit]")
 
 TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most of the error away", "[statistics]")
 {
-    const Scene scene = lacquered_ball(studio());
+    const Scene scene = lacquered_ball(studio_environment());
     SurfacePlan plan = gloss_plan(scene);
     const SurfaceBake with = surface_field(scene, plan);
     REQUIRE(has_gloss(with));
@@ -167,7 +162,7 @@ TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most 
 
 TEST_CASE("gloss maps keep to the limits of bytes and of RAM: as many are fitted as there is room for", "[fit]")
 {
-    const Scene scene = lacquered_ball(studio());
+    const Scene scene = lacquered_ball(studio_environment());
     const host::ScreenSize screen = {160, 160, 8};
     const auto within = [&](uint64_t bytes, uint64_t ram) {
         SurfaceLimits limits;
@@ -206,7 +201,7 @@ TEST_CASE("what lies behind a pane has the map that it has without the pane, whi
         glass.opacity = 0.4f;
         if (pane) maker.box(maker.add(glass), {-0.62f, -0.62f, -0.62f}, {0.62f, 0.62f, 0.62f});
         maker.span_unit_sphere();
-        const Scene scene = maker.make(studio());
+        const Scene scene = maker.make(studio_environment());
         const SurfacePlan plan = gloss_plan(scene);
         const BuiltMesh& built = *plan.mesh;
         const FitShape shape(built.mesh, std::vector<float>(built.mesh.patches.size(), 12));
@@ -221,7 +216,7 @@ TEST_CASE("what lies behind a pane has the map that it has without the pane, whi
 
 TEST_CASE("gloss that a file states is sound on opaque patches of the body of a shiny mesh alone", "[fit]")
 {
-    const Scene scene = lacquered_ball(studio());
+    const Scene scene = lacquered_ball(studio_environment());
     PatchMesh mesh = gloss_plan(scene).mesh->mesh;
     Gloss gloss;
     gloss.maps.emplace_back();
@@ -240,7 +235,7 @@ TEST_CASE("gloss that a file states is sound on opaque patches of the body of a 
 
 TEST_CASE("there is no gloss map where nothing that is mirrored has edges, or view tables are left out", "[fit]")
 {
-    const Scene even = lacquered_ball(gradient_environment()), boxes = lacquered_ball(studio());
+    const Scene even = lacquered_ball(gradient_environment()), boxes = lacquered_ball(studio_environment());
     const PatchMesh mesh;
     SurfaceSettings settings;
     CHECK(may_gloss(boxes.data(), mesh, settings));

@@ -40,14 +40,14 @@ Rgb energy_of(const Sky& sky)
 
 }  // namespace
 
-TEST_CASE("looks: every named sky but black sends the same light to a white ball, and soft boxes are neutral")
+TEST_CASE("looks: every named sky but black sends the same light to a white ball, and the studio is neutral")
 {
-    const float studio = luminance(energy_of(sky_of("gradient")));
-    for (const char* name : {"softboxes", "overcast", "evening"}) {
+    const float expected = luminance(energy_of(sky_of("gradient")));
+    for (const char* name : {"studio", "overcast", "evening"}) {
         INFO(name);
-        CHECK(luminance(energy_of(sky_of(name))) == Approx(studio).epsilon(0.02));
+        CHECK(luminance(energy_of(sky_of(name))) == Approx(expected).epsilon(0.02));
     }
-    const Rgb neutral = energy_of(sky_of("softboxes"));
+    const Rgb neutral = energy_of(sky_of("studio"));
     CHECK(neutral.r == neutral.g);
     CHECK(neutral.b == neutral.g);
 }
@@ -60,9 +60,9 @@ TEST_CASE("looks: the gradient is linear in height, as the constants that fields
     CHECK(gradient.radiance({0, 0, -1}).r == 0.16f);
 }
 
-TEST_CASE("looks: in soft boxes a white of 0.8 stays below clipping wherever it faces, and a dark side is left")
+TEST_CASE("looks: in the studio a white of 0.8 stays below clipping wherever it faces, and a dark side is left")
 {
-    const Sky sky = sky_of("softboxes");
+    const Sky sky = sky_of("studio");
     float brightest = 0, darkest = 1;
     for (uint32_t k = 0; k < 200; ++k) {
         Sampler sampler(1, k, 0);
@@ -79,9 +79,9 @@ TEST_CASE("looks: in soft boxes a white of 0.8 stays below clipping wherever it 
     CHECK(darkest < 0.25f * brightest);
 }
 
-TEST_CASE("looks: soft boxes are mirrored: bright ones with edges before a dark room")
+TEST_CASE("looks: the studio's soft boxes are mirrored: bright ones with edges before a dark room")
 {
-    const Sky sky = sky_of("softboxes");
+    const Sky sky = sky_of("studio");
     const float key = sky.radiance(direction_at(std::sin(17 * kPi / 180), -54 / 360.0f)).g;
     const float beside = sky.radiance(direction_at(std::sin(17 * kPi / 180), -85 / 360.0f)).g;
     CHECK(key > 5);
@@ -93,7 +93,7 @@ TEST_CASE("looks: a named sky has no unit to find out, so no exposure is chosen 
     for (const bool needs : {false, true}) {
         testing::SceneMaker maker;
         maker.ball(maker.add(testing::diffuse(grey(0.5f))), {}, 0.5f);
-        Environment dim = named_environment("softboxes").value();
+        Environment dim = named_environment("studio").value();
         dim.scale = 0.1f;
         dim.needs_exposure = needs;
         maker.surround(dim);

@@ -95,7 +95,7 @@ TEST_CASE("sky: one that cannot be is a wrong call that says what can")
         INFO(word);
         check_refused(reference(folder / "p.png", {"--sky", word}), 2,
                       Catch::Contains("--sky") &&
-                          Catch::Contains("takes studio, gradient, softboxes, overcast, evening or black") &&
+                          Catch::Contains("takes studio, gradient, overcast, evening or black") &&
                           Catch::Contains("a colour such as 0.8 or 1,0.9,0.7, or a picture"));
     }
     CHECK(folder.entries() == 0);

@@ -71,7 +71,7 @@ std::string small_surface_bytes()
 std::string glossy_surface_bytes()
 {
     const std::vector<uint8_t> file =
-        baker::surface_field(cube_in(*baker::named_environment("softboxes")), {small_settings()}).file;
+        baker::surface_field(cube_in(baker::studio_environment()), {small_settings()}).file;
     return {file.begin(), file.end()};
 }
 

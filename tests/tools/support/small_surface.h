@@ -21,6 +21,6 @@ std::vector<std::string> small_surface_options();
 const baker::Scene& cube_scene();
 const baker::SurfaceBake& small_surface();  // baked once
 std::string small_surface_bytes();
-std::string glossy_surface_bytes();  // the cube in soft boxes, with gloss maps; baked anew
+std::string glossy_surface_bytes();  // the cube in the studio, with gloss maps; baked anew
 
 }  // namespace lumi::tools::test

@@ -60,11 +60,10 @@ baker::Environment sky_of(const std::string& word)
     if (const auto named = named_sky(word)) return *named;
     const auto colour = colour_of(word);
     if (!colour)
-        throw CLI::ValidationError(
-            "--sky",
-            "takes studio, gradient, softboxes, overcast, evening or black, also with @DEGREES, a colour "
-            "such as 0.8 or 1,0.9,0.7, or a picture (.hdr or .exr), not \"" +
-                word + "\"");
+        throw CLI::ValidationError("--sky",
+                                   "takes studio, gradient, overcast, evening or black, also with @DEGREES, a colour "
+                                   "such as 0.8 or 1,0.9,0.7, or a picture (.hdr or .exr), not \"" +
+                                       word + "\"");
     return baker::constant_environment(*colour);
 }
 
@@ -105,7 +104,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
     command
         .add_option_function<std::string>(
             "--sky", [&options](const std::string& word) { set_sky(word, options); },
-            "Light from far away: studio, softboxes, overcast, evening or black, turned with @DEGREES; a colour of "
+            "Light from far away: studio, gradient, overcast, evening or black, turned with @DEGREES; a colour of "
             "linear radiance such as 0.8 or 1,0.9,0.7; or a latitude-longitude picture (.hdr, .exr) [as the scene file "
             "says, or studio for what has no light of its own]")
         ->type_name("NAME|COLOUR|FILE");

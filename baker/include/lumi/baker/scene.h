@@ -44,10 +44,11 @@ Environment constant_environment(float radiance);
 Environment constant_environment(const std::array<float, 3>& radiance);
 // This is a bright, slightly cool sky over a dimmer, warm floor.
 Environment gradient_environment();
-Environment studio_environment();  // lights what has no light of its own
+// Soft boxes of a product photographer, neutral, with a dark side. They light what has no light of its own.
+Environment studio_environment();
 
 // Skies that have names. All but black send the same light to a white ball.
-inline const std::vector<std::string> kSkyNames = {"studio", "gradient", "softboxes", "overcast", "evening", "black"};
+inline const std::vector<std::string> kSkyNames = {"studio", "gradient", "overcast", "evening", "black"};
 std::optional<Environment> named_environment(const std::string& name);
 
 // A latitude-longitude map in a Radiance .hdr or an OpenEXR file, as docs/scenes.md says. Throws SceneError; appends to
