@@ -331,7 +331,7 @@ private:
                    (!limits_.ram ||
                     ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps) <= limits_.ram->bytes);
         };
-        while (maps != 0 && !fit()) --maps;
+        for (; maps != 0 && !fit(); --maps) plan.fewer_maps = true;
         if (limits_.ram) plan.ram_bytes = ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps);
         return gloss_bytes_beyond_tables(mesh, maps);
     }

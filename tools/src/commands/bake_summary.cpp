@@ -198,14 +198,27 @@ std::string options_of(const baker::SurfacePlan& plan)
     return s.view_tables ? options : options + " --no-view-tables";
 }
 
+// What a mesh of the plan lacks for a limit of RAM or bytes, such as "fewer triangles than 3684"; may be empty.
+std::string lacks_of(const baker::SurfacePlan& plan)
+{
+    std::string text;
+    if (plan.triangles_without_ram != 0) text = "fewer triangles than " + std::to_string(plan.triangles_without_ram);
+    if (plan.fewer_maps) {
+        const uint32_t maps = plan.settings.gloss_maps;
+        if (!text.empty()) text += ", and ";
+        text += maps == 0 ? "no gloss maps"
+                          : "at most " + std::to_string(maps) + (maps == 1 ? " gloss map" : " gloss maps");
+    }
+    return text;
+}
+
 // "39.8 kB of RAM, for which it has fewer triangles than 3684"; empty where the plan has no limit of RAM.
 std::string ram_text(const baker::SurfacePlan& plan)
 {
     if (plan.ram_bytes == 0) return "";
-    const std::string given_up = plan.triangles_without_ram == 0 ? ", for which nothing is given up"
-                                                                 : ", for which it has fewer triangles than " +
-                                                                       std::to_string(plan.triangles_without_ram);
-    return byte_text(plan.ram_bytes) + " of RAM" + given_up;
+    const std::string lacks = lacks_of(plan);
+    return byte_text(plan.ram_bytes) + " of RAM, for which " +
+           (lacks.empty() ? "nothing is given up" : "it has " + lacks);
 }
 
 // "5500 triangles, 93.4 texels a radius, at most 499 kB".
@@ -354,7 +367,7 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
         if (options.fit.plan_only)
             print(stdout, "layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
                   ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
-        else if (plan.triangles_without_ram != 0)
+        else if (!ram.empty() && !lacks_of(plan).empty())
             print(stderr, "lumi: it takes %s\n", ram.c_str());
     } else {
         print(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
