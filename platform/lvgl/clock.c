@@ -12,7 +12,8 @@ enum { SIDE = 232, ROWS = 16, FIRST_SECOND = 36537 /* 10:08:57 */, SECONDS = 6 }
 
 static uint64_t
     memory[(LUMI_MEMORY(running_clock_vertices, running_clock_patches, SIDE, SIDE, ROWS) +
-            LUMI_SEE_THROUGH_MEMORY(running_clock_see_through) + LUMI_PARTS_MEMORY(running_clock_moving_parts)) /
+            LUMI_SEE_THROUGH_MEMORY(running_clock_see_through) + LUMI_PARTS_MEMORY(running_clock_moving_parts) +
+            LUMI_GLOSS_MEMORY(running_clock_gloss, running_clock_viewed)) /
                8 +
            1];
 static lv_lumi_image_t image;

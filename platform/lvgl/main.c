@@ -12,7 +12,10 @@
 
 enum { SIDE = 232, ROWS = 16, MARGIN = 10 /* pixels around the slider that its knob may cover */ };
 
-static uint64_t memory[LUMI_MEMORY(desk_clock_vertices, desk_clock_patches, SIDE, SIDE, ROWS) / 8 + 1];
+static uint64_t memory[(LUMI_MEMORY(desk_clock_vertices, desk_clock_patches, SIDE, SIDE, ROWS) +
+                        LUMI_GLOSS_MEMORY(desk_clock_gloss, desk_clock_viewed)) /
+                           8 +
+                       1];
 static lv_lumi_image_t image;
 static lv_obj_t *clock_widget, *title, *angle, *slider;
 static uint8_t coarsest_seen = LUMI_TWO_BY_TWO;

@@ -39,7 +39,7 @@ class Quality(unittest.TestCase):
 
 
 def bake_small(scene, field):
-    subprocess.run([os.environ["LUMI"], "bake", scene, "-o", field, "--layout", "surface", "--triangles", "200",
+    subprocess.run([os.environ["LUMI"], "bake", scene, "-o", field, "--layout", "surface", "--sky", "gradient", "--triangles", "200",
                     "--longest-edge", "1", "--texel-density", "8", "--paths", "1"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return field

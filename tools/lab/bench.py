@@ -33,6 +33,7 @@ UNJUDGED = {"states": "states", "gloss": "gloss", "see_through_patches": "see_th
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
+LIGHT = ["--sky", "gradient"]  # without gloss maps, so rates and accuracy can be told
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/release/tools"
 
@@ -128,7 +129,7 @@ def bake(field, *words):
 def chord_field(options, texel):
     """Noise is part of any field; what is judged is how it is drawn."""
     lattices = f"{options.origins}x{options.directions}-{options.spp}"
-    return bake(options.work / f"{options.scene.stem}-{lattices}.{texel}.lumi", options.scene, "--layout", "chord",
+    return bake(options.work / f"{options.scene.stem}-{lattices}.{texel}.lumi", options.scene, "--layout", "chord", *LIGHT,
                 "--origins", options.origins, "--directions", options.directions, "--spp", options.spp, "--texel", texel)
 
 
@@ -136,8 +137,8 @@ def surface_field(options):
     """With few light paths: noise costs nothing to draw."""
     if options.field:
         return options.field
-    return bake(options.work / f"{options.scene.stem}.surface.lumi", options.scene, "--layout", "surface", "--fit", "250kB",
-                "--paths", 20)
+    return bake(options.work / f"{options.scene.stem}.surface.lumi", options.scene, "--layout", "surface", *LIGHT,
+                "--fit", "250kB", "--paths", 20)
 
 
 def hundredths(value):

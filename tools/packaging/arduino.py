@@ -8,7 +8,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ADDED = ROOT / "platform/arduino"
-# A board with 256 kB of flash has room for it. Its view of 240 x 240 pixels by 8 rows takes 25 kB of RAM.
+# A board with 256 kB of flash has room for it. Its view of 240 x 240 pixels by 8 rows takes 28 kB of RAM.
 BAKE = ["--fit", "60kB"]
 SCENES = {"desk_clock": ROOT / "baker/scenes/product.obj", "running_clock": ROOT / "baker/scenes/clock.json"}
 FIELDS = "src/lumi_fields/"

@@ -145,7 +145,7 @@ float middle_of_lit(const std::vector<float>& metered)
 namespace
 {
 
-// The share of white that clay shows in the studio, after the tone curve.
+// About the share of white that clay shows in the studio, after the tone curve.
 constexpr float kMiddleTone = 0.44f;
 constexpr int kStepsPerStop = 3;
 

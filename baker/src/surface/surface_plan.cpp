@@ -325,15 +325,14 @@ private:
         uint32_t& maps = plan.settings.gloss_maps;
         if (!may_gloss(scene_.data(), mesh, plan.settings)) return 0;
         const uint64_t others = most_bytes(mesh, density_for_mesh(plan), plan.settings, states_);
-        const auto fit = [&] {
-            const uint64_t beyond = gloss_bytes_beyond_tables(mesh, maps);
-            return others + beyond <= limits_.bytes && beyond <= limits_.bytes / kMostOneOf &&
-                   (!limits_.ram ||
-                    ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps) <= limits_.ram->bytes);
-        };
-        for (; maps != 0 && !fit(); --maps) plan.fewer_maps = true;
-        if (limits_.ram) plan.ram_bytes = ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps);
-        return gloss_bytes_beyond_tables(mesh, maps);
+        const auto beyond = [&] { return gloss_bytes_beyond_tables(mesh, maps); };
+        while (maps != 0 && (others + beyond() > limits_.bytes || beyond() > limits_.bytes / kMostOneOf)) --maps;
+        if (limits_.ram) {
+            const auto ram = [&] { return ram_of(mesh, plan.settings, states_, limits_.ram->screen, maps); };
+            for (; maps != 0 && ram() > limits_.ram->bytes; --maps) plan.fewer_maps = true;
+            plan.ram_bytes = ram();
+        }
+        return beyond();
     }
 
     // The density of the fewest bytes.

@@ -107,8 +107,8 @@ typedef struct lumi_view lumi_view;
 /* To be added for a field with light states. */
 #define LUMI_STATES_MEMORY(see_through_patches) ((see_through_patches) != 0 ? 2344 : 800)
 
-/* To be added for a field with gloss maps, of whose vertices so many have view tables. */
-#define LUMI_GLOSS_MEMORY(maps, viewed) (2468 * (size_t)(maps) + 2 * (size_t)(viewed) + 8)
+/* To be added for a field with gloss maps, of whose vertices so many have view tables; 0 without maps. */
+#define LUMI_GLOSS_MEMORY(maps, viewed) ((maps) != 0 ? 2468 * (size_t)(maps) + 2 * (size_t)(viewed) + 8 : 0)
 
 /* Tells them to the byte for a field; 0 if it cannot be opened or the screen is out of range. */
 size_t lumi_memory_size(const uint8_t* field, size_t field_bytes, lumi_screen screen);

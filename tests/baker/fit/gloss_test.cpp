@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "fit/fit_shape.h"
+#include "image/tone.h"
 #include "lumi/baker/reference.h"
 #include "lumi/baker/surface.h"
 #include "lumi/host/view_memory.h"
@@ -52,15 +53,19 @@ std::vector<uint8_t> drawn_by_core(const SurfaceField& field, const Pose& pose, 
     return pixels;
 }
 
-// The mean squared error of pixels that are covered whole.
-double error_of(const Scene& scene, const SurfaceBake& bake)
+struct Likeness {
+    double error;   // mean squared, of pixels that are covered whole
+    double energy;  // the light of all these pixels, as a share of the truth's
+};
+
+Likeness likeness_of(const Scene& scene, const SurfaceBake& bake)
 {
     SurfaceField field;
     REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);
     Image image;
     image.width_px = image.height_px = kViewedSide;
     image.fov_turns32 = uint32_t{1} << 29;
-    double sum = 0, count = 0;
+    double sum = 0, light = 0, expected = 0, count = 0;
     for (const Vec3& from : {Vec3{1, 0.3f, 0.4f}, {-0.4f, 1, 0.1f}, {-0.5f, -0.6f, 1}}) {
         const Pose pose = pose_at(from);
         Camera camera;
@@ -72,11 +77,13 @@ double error_of(const Scene& scene, const SurfaceBake& bake)
             for (size_t c = 0; c < 3; ++c) {
                 const double off = static_cast<double>(shown[3 * k + c]) - truth.rgba[4 * k + c];
                 sum += off * off / 3;
+                light += srgb_linear(shown[3 * k + c] / 255.0);
+                expected += srgb_linear(truth.rgba[4 * k + c] / 255.0);
             }
             ++count;
         }
     }
-    return sum / count;
+    return {sum / count, light / expected};
 }
 
 // Beside it a knob moves.
@@ -152,9 +159,10 @@ TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most 
     plan.settings.draft = true;  // a first look has none
     const SurfaceBake without = surface_field(scene, plan);
     CHECK(!has_gloss(without));
-    const double error_with = error_of(scene, with), error_without = error_of(scene, without);
-    INFO(error_with << " for " << error_without);
-    CHECK(error_with < 0.6 * error_without);
+    const Likeness likeness = likeness_of(scene, with), before = likeness_of(scene, without);
+    INFO(likeness.error << " for " << before.error << ", light " << likeness.energy << " for " << before.energy);
+    CHECK(likeness.error < 0.6 * before.error);
+    CHECK(std::abs(likeness.energy - 1) < 0.02);
     plan.settings.draft = false;
     plan.settings.threads = 1;
     CHECK((surface_field(scene, plan).file == with.file));

@@ -52,7 +52,7 @@ TEST_CASE("looks: every named sky but black sends the same light to a white ball
     CHECK(neutral.b == neutral.g);
 }
 
-TEST_CASE("looks: the gradient is linear in height, as the constants that fields were made with say")
+TEST_CASE("looks: the gradient is linear in height between its three colours")
 {
     const Sky gradient = sky_of("gradient");
     CHECK(gradient.radiance({0, 0, 1}).b == 1.65f);

@@ -26,7 +26,7 @@ def material(name, colour, roughness):
     shader = made.node_tree.nodes["Principled BSDF"]
     shader.inputs["Base Color"].default_value = (*colour, 1)
     shader.inputs["Roughness"].default_value = roughness
-    shader.inputs["Specular"].default_value = 0  # Cycles' gloss sends back more than arrives: docs/log/quality.md
+    shader.inputs["Specular"].default_value = 0  # Cycles' gloss sends back more than arrives: docs/log/models.md
     return made
 
 

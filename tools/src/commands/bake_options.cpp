@@ -138,8 +138,8 @@ void add_fit_options(CLI::App& command, FitOptions& options)
         ->type_name("SIZE");
     command
         .add_option("--ram", options.ram,
-                    "fit: a mesh so coarse that view and stripe take at most so much RAM, antialiased on --screen: "
-                    "40kB")
+                    "fit: so few gloss maps and so coarse a mesh that view and stripe take at most so much RAM, "
+                    "antialiased on --screen: 40kB")
         ->type_name("SIZE");
     add_pace_option(command, options.paces,
                     "with a rate: choose triangles, texels, view tables and mode that show most at it; else say the "
@@ -201,8 +201,9 @@ void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
         "--ground", s.ground,
         "surface: add a soft shadow below the object, on a level ground that is not drawn; firmware without "
         "see-through patches leaves it out");
-    command.add_flag("--draft", s.draft,
-                     "surface: a first look in some ten seconds, coarse and noisy; the file says that it is one");
+    command.add_flag(
+        "--draft", s.draft,
+        "surface: a first look in some ten seconds, coarse, noisy and without gloss maps; the file says so");
     command.add_flag("--fill", s.fills, "surface: use all triangles and texels that fit, though fewer show as much");
     command.add_option("--paths", s.paths_per_texel, "surface: light paths a texel; more cost time, never bytes")
         ->type_name("P")

@@ -104,7 +104,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options)
     command
         .add_option_function<std::string>(
             "--sky", [&options](const std::string& word) { set_sky(word, options); },
-            "Light from far away: studio, gradient, overcast, evening or black, turned with @DEGREES; a colour of "
+            "Light from far away: studio (soft boxes), gradient, overcast, evening or black, turned with @DEGREES; a "
+            "colour of "
             "linear radiance such as 0.8 or 1,0.9,0.7; or a latitude-longitude picture (.hdr, .exr) [as the scene file "
             "says, or studio for what has no light of its own]")
         ->type_name("NAME|COLOUR|FILE");

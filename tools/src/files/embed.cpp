@@ -234,13 +234,6 @@ NumberedNames states_of(const SurfaceField& field)
             "_states"};
 }
 
-std::string gloss_text(const SurfaceField& field)
-{
-    if (gloss_count(field) == 0) return "";
-    return "\n/* Gloss: lumi::c draws it if it is compiled with LUMI_C_GLOSS. */\nenum { @SYMBOL@_gloss = " +
-           std::to_string(gloss_count(field)) + ", @SYMBOL@_viewed = " + std::to_string(field.viewed_count) + " };\n";
-}
-
 }  // namespace
 
 std::string embed_header(const std::string& symbol, EmbedKind kind, const FieldFile& field,
@@ -259,9 +252,10 @@ extern "C" {
 #endif
 
 @DECLARATION@
-/* lumi.h sizes its memory by these. */
+/* lumi.h sizes its memory by these. lumi::c draws gloss maps if it is compiled with LUMI_C_GLOSS. */
 enum { @SYMBOL@_vertices = @VERTICES@, @SYMBOL@_patches = @PATCHES@, @SYMBOL@_see_through = @SEE_THROUGH@ };
-@GLOSS@@ENUM@
+enum { @SYMBOL@_gloss = @GLOSS@, @SYMBOL@_viewed = @VIEWED@ };
+@ENUM@
 #ifdef __cplusplus
 }
 
@@ -286,7 +280,8 @@ constexpr uint32_t @SYMBOL@_ram_bytes = sizeof(View) + View::kStripeBytes;
     result = replaced(result, "@OPENER@", renderer.opener);
     const SurfaceField none, &counted = field.is_surface() ? field.surface() : none;
     const NumberedNames parts = parts_of(counted), states = states_of(counted);
-    result = replaced(result, "@GLOSS@", gloss_text(counted));
+    result = replaced(result, "@GLOSS@", std::to_string(gloss_count(counted)));
+    result = replaced(result, "@VIEWED@", std::to_string(counted.viewed_count));
     result = replaced(result, "@ENUM@", enum_of(parts) + enum_of(states));
     result = replaced(result, "@NAMESPACE@", namespace_of(parts) + namespace_of(states));
     result = replaced(result, "@VERTICES@", std::to_string(counted.vertex_count));

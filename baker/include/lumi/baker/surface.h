@@ -89,7 +89,7 @@ struct SurfacePlan {
     uint64_t most_bytes = 0;             // the file has these if every vertex gets a view table, and all maps pay
     uint64_t ram_bytes = 0;              // 0 where there is no limit
     uint32_t triangles_without_ram = 0;  // before the limit of RAM made the mesh coarser; 0: it did not
-    bool fewer_maps = false;             // the limits leave fewer gloss maps than were asked for
+    bool fewer_maps = false;             // the limit of RAM leaves fewer gloss maps than that of bytes
     std::string against = {};            // why the mesh does the scene no justice, with figures; may be empty
     uint64_t enough_bytes = 0;           // then about so many do it; 0: nobody knows
 };

@@ -14,7 +14,8 @@
 namespace lumi::baker
 {
 
-// Whether a scene has light with edges that smooth surfaces could mirror: a sky that is a picture, or lamps.
+// Whether maps may pay: smooth surfaces could mirror light with edges (a sky that is a picture, or lamps), and
+// settings, light states or a volume do not rule maps out.
 bool may_gloss(const SceneData& scene, const PatchMesh& mesh, const SurfaceSettings& settings);
 
 // Nothing where maps take too little of what a field without them is off. A bake that is killed meanwhile goes on from
