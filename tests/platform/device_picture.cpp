@@ -22,6 +22,9 @@ namespace
 using namespace lumi;
 using namespace lumi::detail;
 
+constexpr SurfaceMode kMode = SurfaceMode::antialiased;
+constexpr SurfaceFeatures kFeatures = SurfaceFeatures::all;
+
 [[noreturn]] void fail(const std::string& what)
 {
     std::fprintf(stderr, "lumi_device_picture: %s\n", what.c_str());
@@ -35,7 +38,6 @@ struct Display {
 template <class Pixel, class Background = OverBlack>
 std::vector<uint8_t> drawn(const SurfaceField& field, const Display& display, const Orbit& orbit)
 {
-    constexpr SurfaceMode kMode = SurfaceMode::antialiased;
     SurfaceCamera camera;
     const auto [width, height, stripe_rows] = display;
     const uint32_t band_log2 = surface_band_log2(stripe_rows);
@@ -43,12 +45,15 @@ std::vector<uint8_t> drawn(const SurfaceField& field, const Display& display, co
         fail("this camera cannot be");
     std::vector<SurfaceVertex> vertices(field.vertex_count);
     std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(height, band_log2));
+    std::vector<uint32_t> features(feature_words(field));
     SurfaceFrame frame;
-    prepare_surface<Pixel>(field, camera, kMode, {vertices.data(), links.data(), bands.data(), band_log2}, frame);
+    prepare_surface<Pixel, kMode, kFeatures>(
+        field, camera, kMode, {vertices.data(), links.data(), bands.data(), band_log2, features.data()}, frame);
     std::vector<uint32_t> samples(surface_stripe_bytes(width, height, kMode) / sizeof(uint32_t) + 1);
     const uint32_t stride = static_cast<uint32_t>(width) * Pixel::kBytes;
     std::vector<uint8_t> pixels(stride * static_cast<uint32_t>(height));
-    render_surface<Pixel>(frame, Background{}, {pixels.data(), 0, 0, width, height, stride}, samples.data());
+    render_surface<Pixel, kMode, kFeatures>(frame, Background{}, {pixels.data(), 0, 0, width, height, stride},
+                                            samples.data());
     return pixels;
 }
 
@@ -78,7 +83,8 @@ int main(int count, char** arguments)
     const auto number = [&](int k) { return static_cast<uint32_t>(std::strtoul(arguments[k], nullptr, 10)); };
     const std::vector<uint8_t> file = test::file_bytes(arguments[1]);
     SurfaceField field;
-    if (open_surface(file.data(), file.size(), field) != FieldError::none) fail("this is no surface field");
+    if (open_surface<kFeatures>(file.data(), file.size(), field) != FieldError::none)
+        fail("this is no surface field that can be drawn");
     const auto side = [&](int k) { return static_cast<int32_t>(number(k)); };
     Orbit orbit = {number(6), number(7)};
     if (count == 10) orbit.zoom_q16 = number(9);
