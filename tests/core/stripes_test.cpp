@@ -19,10 +19,8 @@ constexpr uint8_t kBackground = 3;
 constexpr uint8_t kTexel = 200;
 #ifdef LUMI_TEST_LIGHT
 constexpr size_t kGuardBytes = 512;
-const std::vector<double> kFovs = {1.0, 120.0}, kDistances = {1.0, 3.0};
 #else
 constexpr size_t kGuardBytes = 4096;
-const std::vector<double> kFovs = {1.0, 40.0, 120.0}, kDistances = {1.0, 1.01, 3.0, 2000.0};
 #endif
 
 struct Place {
@@ -101,28 +99,6 @@ TEST_CASE("no renderer writes beside its stripe, wherever the stripe lies", "[re
         const Camera camera = camera_of(look_at({distance, 0.2, 0.1}, {0, 0, 0}, 15), {kSide, kSide, degrees(40)});
         check_everywhere<Nearest>(open.field, camera);
         check_everywhere<Linear>(open.field, camera);
-    }
-}
-
-TEST_CASE("images of one row or one column are drawn", "[render][span]")
-{
-    const OpenField open(layout_of(100, 120, TexelFormat::luma8), [](uint32_t, uint32_t) { return kTexel; });
-    const int32_t sizes[][2] = {{1, 1}, {1, 40}, {40, 1}, {1, kMaxImageSide}, {kMaxImageSide, 1}, {2, 1}};
-    for (const auto& size : sizes) {
-        for (const double fov : kFovs) {
-            for (const double distance : kDistances) {
-                const Camera camera =
-                    camera_of(look_at({distance, 0, 0}, {0, 0, 0}, 0), {size[0], size[1], degrees(fov)});
-                const auto drawn = [&](int32_t span_px) {
-                    return drawn_frame<Nearest, TexelLuma8, PixelGrey8>(open.field, camera, OverBlack{}, span_px);
-                };
-                const Bytes exact = drawn(0), spans = drawn(16);
-                INFO(size[0] << " x " << size[1] << ", " << fov << " degrees, " << distance << " R");
-                size_t differ = 0;
-                for (size_t k = 0; k < exact.size(); ++k) differ += exact[k] != spans[k] ? 1u : 0u;
-                CHECK(differ <= 2);  // the outline's rounding
-            }
-        }
     }
 }
 

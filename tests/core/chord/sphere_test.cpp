@@ -111,16 +111,3 @@ TEST_CASE("a scanline's span holds exactly the pixels that ray_at covers", "[sph
         }
     }
 }
-
-TEST_CASE("a distant eye sees the sphere as the disc it is", "[sphere]")
-{
-    Camera camera;
-    REQUIRE(make_camera(orbit(0, 0, 1000 * kOneQ20), {200, 200, degrees(1)}, camera) == CameraError::none);
-    uint32_t covered = 0;
-    for (int32_t y = 0; y < 200; ++y) {
-        const Extent span = covered_extent(camera, y, 0, 200);
-        covered += static_cast<uint32_t>(span.end - span.begin);
-    }
-    const double radius_px = 100 * 0.001 / std::tan(twin::kPi / 360);
-    CHECK(covered == Approx(twin::kPi * radius_px * radius_px).epsilon(0.03));
-}

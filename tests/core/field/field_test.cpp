@@ -226,16 +226,6 @@ TEST_CASE("a failed open leaves the field untouched", "[field]")
     CHECK(field.used_origins == 77);
 }
 
-TEST_CASE("every error has a phrase of its own", "[field]")
-{
-    std::vector<std::string> phrases;
-    for (int e = 0; e <= static_cast<int>(FieldError::section_crc); ++e)
-        phrases.emplace_back(describe(static_cast<FieldError>(e)));
-    std::sort(phrases.begin(), phrases.end());
-    CHECK(std::unique(phrases.begin(), phrases.end()) == phrases.end());
-    CHECK(std::find(phrases.begin(), phrases.end(), "unknown error") == phrases.end());
-}
-
 TEST_CASE("row strides are odd multiples of eight bytes, never a power of two", "[field]")
 {
     for (uint32_t n = 1; n < 5000; ++n) {

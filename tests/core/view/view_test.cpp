@@ -139,21 +139,6 @@ TEST_CASE("a view of a chord field draws what the free functions draw, bit for b
     check_chord_frames<TexelRgb565, PixelGrey8>(chord(TexelFormat::rgb565));
 }
 
-TEST_CASE("a second core draws the same with samples of its own")
-{
-    using Own = BallView<PixelRgb565>;
-    static Own view;
-    static Own::Samples samples;
-    const Bytes bytes = ball();
-    REQUIRE(view.open(bytes.data(), bytes.size()) == ViewError::none);
-    REQUIRE(view.look(kOrbit) == ViewError::none);
-    const Bytes expected = frame_of<PixelRgb565>(view);
-    const Own& shared = view;
-    CHECK((frame_by<PixelRgb565>(kRows, [&](const Stripe& stripe) {
-               REQUIRE(shared.draw(stripe, OverBlack{}, samples) == ViewError::none);
-           }) == expected));
-}
-
 TEST_CASE("views that share one buffer of samples draw, stripe by stripe in turn, what views with their own draw")
 {
     using Panel = TestScreen<PixelRgb565>;
