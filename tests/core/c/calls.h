@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * What a firmware in C99 does by the calls of lumi.h, all of them, for frames_test.cpp and control_test.cpp. */
+ * What a firmware in C99 does by the calls of lumi.h, all of them, for Pair of views.h and control_test.cpp. */
 #ifndef LUMI_TESTS_CALLS_H
 #define LUMI_TESTS_CALLS_H
 

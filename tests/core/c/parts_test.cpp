@@ -49,32 +49,18 @@ TEST_CASE("chord fields change as a whole, and do not turn")
 TEST_CASE("parts that C moves are drawn as those that C++ moves")
 {
     using MovingView = lumi::View<SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 9, 200, 3>, TestScreen>;
-    const Bytes file = mover_file(moving_ball(9));
-    const ViewInC in_c(file, LUMI_TWO_BY_TWO);
-    const auto in_cpp = std::make_unique<MovingView>();
-    REQUIRE(in_cpp->open(file.data(), file.size()) == ViewError::none);
+    Pair<MovingView> pair(mover_file(moving_ball(9)), LUMI_TWO_BY_TWO);
     for (uint32_t k = 0; k < 12; ++k) {
         const uint32_t angle = k * 0x13579BDF;
         const int32_t offset = static_cast<int32_t>(k) << 15;
-        REQUIRE(lumi_turn(in_c.get(), 0, angle) == 0);
-        REQUIRE(lumi_slide(in_c.get(), 2, offset) == 0);
-        REQUIRE(in_cpp->turn(0, angle) == ViewError::none);
-        REQUIRE(in_cpp->slide(2, offset) == ViewError::none);
+        REQUIRE(lumi_turn(pair.c(), 0, angle) == 0);
+        REQUIRE(lumi_slide(pair.c(), 2, offset) == 0);
+        REQUIRE(pair.cpp().turn(0, angle) == ViewError::none);
+        REQUIRE(pair.cpp().slide(2, offset) == ViewError::none);
         const uint8_t mode = k % 6 < 4 ? LUMI_ANTIALIASED : LUMI_TWO_BY_TWO;
-        REQUIRE(lumi_look_mode(in_c.get(), kOrbit, mode) == 0);
-        REQUIRE(in_cpp->look(Orbit{degrees(30.0), degrees(20.0), radii(3)}, static_cast<SurfaceMode>(mode)) ==
-                ViewError::none);
-        for (int32_t y = 0; y < kHeight; y += kRows) {
-            std::vector<uint32_t> by_c(kWidth * kRows), by_cpp(kWidth * kRows);
-            constexpr uint32_t kStride = kWidth * Pixel::kBytes;
-            REQUIRE(lumi_draw(in_c.get(), {reinterpret_cast<uint8_t*>(by_c.data()), 0, y, kWidth, kRows, kStride}) ==
-                    0);
-            REQUIRE(in_cpp->draw({reinterpret_cast<uint8_t*>(by_cpp.data()), 0, y, kWidth, kRows, kStride}) ==
-                    ViewError::none);
-            CHECK(by_c == by_cpp);
-        }
-        const lumi_changes told = lumi_changed(in_c.get(), 4, 2);
-        const ChangedRects wanted = in_cpp->changed(4, 2);
+        pair.check(frame_of(pair.screen(), mode, EYE_OF_MODE, OVER_DEFAULT, kOrbit));
+        const lumi_changes told = lumi_changed(pair.c(), 4, 2);
+        const ChangedRects wanted = pair.cpp().changed(4, 2);
         REQUIRE(told.count == wanted.count);
         for (uint32_t r = 0; r < told.count; ++r) {
             CHECK(told.rect[r].x_px == wanted.rect[r].x_px);
@@ -83,8 +69,8 @@ TEST_CASE("parts that C moves are drawn as those that C++ moves")
             CHECK(told.rect[r].height_px == wanted.rect[r].height_px);
         }
     }
-    CHECK(lumi_turn(in_c.get(), 2, 0) == code(ViewError::bad_argument));
-    CHECK(lumi_slide(in_c.get(), 1, 0) == code(ViewError::bad_argument));
+    CHECK(lumi_turn(pair.c(), 2, 0) == code(ViewError::bad_argument));
+    CHECK(lumi_slide(pair.c(), 1, 0) == code(ViewError::bad_argument));
 }
 
 #else

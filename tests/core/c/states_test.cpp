@@ -25,29 +25,14 @@ TEST_CASE("lights that C weighs are those that C++ weighs")
     using LitView = lumi::View<SurfaceDrawing<200, 400, SurfaceMode::two_by_two, 70, 200, 5, 4>, TestScreen>;
     constexpr lumi_orbit kOrbit = {LUMI_DEGREES(30), LUMI_DEGREES(20), LUMI_RADII(3), LUMI_FIT_SPHERE, LUMI_NO_ZOOM};
     for (const Bytes& file : {lit_ball_file(four_states()), lit_file(shaded_ball(9))}) {
-        const ViewInC in_c(file, LUMI_TWO_BY_TWO);
-        const auto in_cpp = std::make_unique<LitView>();
-        REQUIRE(in_cpp->open(file.data(), file.size()) == ViewError::none);
+        Pair<LitView> pair(file, LUMI_TWO_BY_TWO);
         for (uint32_t k = 0; k < 6; ++k) {
             const uint16_t r = static_cast<uint16_t>(900 * k), g = static_cast<uint16_t>(4000 - 700 * k);
-            REQUIRE(lumi_set_state(in_c.get(), k % 2, r, g, LUMI_FULL_WEIGHT) == 0);
-            REQUIRE(in_cpp->set_state(k % 2, StateWeight{r, g, kFullWeight}) == ViewError::none);
-            REQUIRE(lumi_look(in_c.get(), kOrbit) == 0);
-            REQUIRE(in_cpp->look(Orbit{degrees(30.0), degrees(20.0), radii(3)}) == ViewError::none);
-            for (int32_t y = 0; y < kHeight; y += kRows) {
-                std::vector<uint32_t> by_c(kWidth * kRows), by_cpp(kWidth * kRows);
-                const auto stripe = [&](std::vector<uint32_t>& pixels) {
-                    return Stripe{
-                        reinterpret_cast<uint8_t*>(pixels.data()), 0, y, kWidth, kRows, kWidth * Pixel::kBytes};
-                };
-                const Stripe s = stripe(by_c);
-                REQUIRE(lumi_draw(in_c.get(), {s.pixels, s.x_px, s.y_px, s.width_px, s.height_px, s.stride_bytes}) ==
-                        0);
-                REQUIRE(in_cpp->draw(stripe(by_cpp)) == ViewError::none);
-                CHECK(by_c == by_cpp);
-            }
+            REQUIRE(lumi_set_state(pair.c(), k % 2, r, g, LUMI_FULL_WEIGHT) == 0);
+            REQUIRE(pair.cpp().set_state(k % 2, StateWeight{r, g, kFullWeight}) == ViewError::none);
+            pair.check(frame_of(pair.screen(), 0, EYE_OF_SCREEN, OVER_DEFAULT, kOrbit));
         }
-        CHECK(lumi_set_state(in_c.get(), 4, 0, 0, 0) == code(ViewError::bad_argument));
+        CHECK(lumi_set_state(pair.c(), 4, 0, 0, 0) == code(ViewError::bad_argument));
     }
 }
 
