@@ -18,7 +18,6 @@ namespace
 {
 
 constexpr int32_t kSide = 64;
-constexpr auto kAll = SurfaceFeatures::all;
 #ifdef LUMI_TEST_LIGHT
 constexpr int kLooks = 12;
 #else
@@ -28,33 +27,6 @@ constexpr int kLooks = 100;
 double any(std::minstd_rand& random)
 {
     return static_cast<double>(random() % 2001) / 1000 - 1;
-}
-
-// A picture in rectangles of at most so many pixels.
-template <class Pixel, SurfaceFeatures kFeatures = kAll>
-Bytes shown(const SurfaceField& field, const test::View& view, SurfaceMode mode, int32_t width, int32_t height)
-{
-    PreparedFrame made(field, view.image.height_px, 3);
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-    prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, camera, mode, made.memory, made.frame);
-    const uint32_t stride = Pixel::kBytes * static_cast<uint32_t>(view.image.width_px);
-    Bytes pixels(stride * static_cast<size_t>(view.image.height_px), 0xA5);
-    for (int32_t y = 0; y < view.image.height_px; y += height) {
-        for (int32_t x = 0; x < view.image.width_px; x += width) {
-            const Stripe stripe = {
-                &pixels[static_cast<uint32_t>(y) * stride + Pixel::kBytes * static_cast<uint32_t>(x)],
-                x,
-                y,
-                std::min(width, view.image.width_px - x),
-                std::min(height, view.image.height_px - y),
-                stride};
-            std::vector<uint32_t> samples((surface_stripe_bytes(stripe.width_px, stripe.height_px, mode) + 3) / 4);
-            render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(made.frame, OverColour{kSurfaceBackground},
-                                                                      stripe, samples.data());
-        }
-    }
-    return pixels;
 }
 
 FieldError opened(const Bytes& bytes)
@@ -131,7 +103,7 @@ TEST_CASE("gloss: a mirror ball shows the map in mirrored directions")
         const double distance = far[look % 5], fov = 2 * std::asin(0.9 / distance) * 180 / twin::kPi;
         const test::View view = {
             "", look_at(distance * to_eye, {0, 0, 0}, look * 40.0), {kSide, kSide, test::degrees(fov)}};
-        const Bytes pixels = shown<PixelRgb888>(ball.field(), view, SurfaceMode::one_sample, kSide, kSide);
+        const Bytes pixels = drawn<PixelRgb888>(ball.field(), view, SurfaceMode::one_sample).pixels();
         for (int32_t y = 0; y < kSide; ++y) {
             for (int32_t x = 0; x < kSide; ++x) {
                 Vec d;
@@ -169,10 +141,12 @@ TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the s
         const SurfaceMode mode = kSurfaceModes[look % 3];
         const auto some = [&] { return static_cast<int32_t>(1 + random() % kSide); };
         INFO("look " << look);
-        REQUIRE((shown<PixelRgb888>(ball.field(), view, mode, kSide, kSide) ==
-                 shown<PixelRgb888>(ball.field(), view, mode, some(), some())));
-        REQUIRE((shown<PixelRgb565>(ball.field(), view, mode, kSide, kSide) ==
-                 shown<PixelRgb565>(ball.field(), view, mode, some(), some())));
+        REQUIRE(
+            (drawn<PixelRgb888>(ball.field(), view, mode).pixels() ==
+             drawn<PixelRgb888>(ball.field(), view, mode, OverColour{kSurfaceBackground}, {some(), some()}).pixels()));
+        REQUIRE(
+            (drawn<PixelRgb565>(ball.field(), view, mode).pixels() ==
+             drawn<PixelRgb565>(ball.field(), view, mode, OverColour{kSurfaceBackground}, {some(), some()}).pixels()));
         check_halves(ball.field(), {{view.pose, view.image, 0, 0, kSide, kSide}, static_cast<uint32_t>(random())},
                      [](SurfaceHalves& halves, int32_t step) {
                          prepare_half<SurfaceMode::two_by_two, kAll>(halves, step, 0);
@@ -181,8 +155,8 @@ TEST_CASE("gloss: any rectangle shows the same pixels, and two halves make the s
     }
     for (const test::View& view : extreme_views(kSide))
         for (const SurfaceMode mode : kSurfaceModes)
-            CHECK((shown<PixelRgb888>(still.field(), view, mode, kSide, kSide) ==
-                   shown<PixelRgb888>(still.field(), view, mode, 13, 9)));
+            CHECK((drawn<PixelRgb888>(still.field(), view, mode).pixels() ==
+                   drawn<PixelRgb888>(still.field(), view, mode, OverColour{kSurfaceBackground}, {13, 9}).pixels()));
 }
 
 namespace
@@ -232,10 +206,7 @@ TEST_CASE("gloss: vertices lie in the disc, also where what they mirror is behin
     REQUIRE(hard.error() == FieldError::none);
     const Image wide = {240, 240, test::degrees(100.0)};
     PreparedFrame made(hard.field(), 240, 4);
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(kFromAbove, wide, camera) == CameraError::none);
-    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(hard.field(), camera, SurfaceMode::one_sample,
-                                                                made.memory, made.frame);
+    made.prepare<PixelRgb888>(hard.field(), {"", kFromAbove, wide}, SurfaceMode::one_sample);
     check_places(made);
     picture(made.frame, {kFromAbove, wide, 0, 0, 240, 240});
     std::minstd_rand random(21);
@@ -250,10 +221,8 @@ TEST_CASE("gloss: vertices lie in the disc, also where what they mirror is behin
         const OpenedGlass opened(file_with_turns(ball, turns));
         REQUIRE(opened.error() == FieldError::none);
         const test::View view = random_view(random, kSide);
-        PreparedFrame frame(opened.field(), view.image.height_px, 3);
-        REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(opened.field(), camera, kSurfaceModes[look % 3],
-                                                                    frame.memory, frame.frame);
+        PreparedFrame frame(opened.field(), view.image.height_px);
+        frame.prepare<PixelRgb888>(opened.field(), view, kSurfaceModes[look % 3]);
         check_places(frame);
         picture(frame.frame, {view.pose, view.image, 0, 0, view.image.width_px, view.image.height_px});
     }
@@ -270,10 +239,7 @@ TEST_CASE("gloss: no read leaves the disc, whatever lies where places should be,
     constexpr int32_t kLarge = 8192, kMiddle = 1400, kFirst = (kLarge - kMiddle) / 2, kRows = 50;
     const Image narrow = {kLarge, kLarge, test::degrees(1.01)};
     PreparedFrame made(opened.field(), kLarge, 4);
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(kFromAbove, narrow, camera) == CameraError::none);
-    prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kAll>(opened.field(), camera, SurfaceMode::one_sample,
-                                                                made.memory, made.frame);
+    made.prepare<PixelRgb888>(opened.field(), {"", kFromAbove, narrow}, SurfaceMode::one_sample);
     uint16_t* const places = GlossMemory(made.frame).places;
     for (const std::array<uint16_t, 4>& any_places : {std::array<uint16_t, 4>{0x0450, 0x0450, 0x0450, 0x9450},
                                                       {0x9450, 0x9450, 0x9450, 0x0450},
@@ -300,11 +266,11 @@ TEST_CASE("gloss: patches without a map look as without the section, and swapped
     for (int look = 0; look < kLooks; ++look) {
         const test::View view = random_view(random, kSide);
         const SurfaceMode mode = kSurfaceModes[look % 3];
-        const Bytes without = shown<PixelRgb888>(plain.field(), view, mode, kSide, kSide);
-        REQUIRE((without == shown<PixelRgb888>(unused.field(), view, mode, kSide, kSide)));
-        different += without == shown<PixelRgb888>(glossy.field(), view, mode, kSide, kSide) ? 0 : 1;
-        const Bytes low = shown<PixelRgb565>(glossy.field(), view, mode, kSide, kSide),
-                    high = shown<PixelRgb565Swapped>(glossy.field(), view, mode, kSide, kSide);
+        const Bytes without = drawn<PixelRgb888>(plain.field(), view, mode).pixels();
+        REQUIRE((without == drawn<PixelRgb888>(unused.field(), view, mode).pixels()));
+        different += without == drawn<PixelRgb888>(glossy.field(), view, mode).pixels() ? 0 : 1;
+        const Bytes low = drawn<PixelRgb565>(glossy.field(), view, mode).pixels(),
+                    high = drawn<PixelRgb565Swapped>(glossy.field(), view, mode).pixels();
         for (size_t k = 0; k < low.size(); k += 2) REQUIRE((low[k] == high[k + 1] && low[k + 1] == high[k]));
     }
     CHECK(different > kLooks / 2);

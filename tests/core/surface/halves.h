@@ -14,26 +14,6 @@
 namespace lumi::test
 {
 
-// A frame with memory of its very size. Vertices and links hold what an older frame may have left.
-struct PreparedFrame {
-    PreparedFrame(const SurfaceField& field, int32_t height_px, uint32_t band_log2)
-        : vertices(field.vertex_count),
-          links(surface_links(field.patch_count), 0x5A5A),
-          bands(surface_bands(height_px, band_log2), 0x5A5A),
-          see_through(feature_words(field)),
-          memory{vertices.data(), links.data(), bands.data(), band_log2, see_through.data()}
-    {
-    }
-    PreparedFrame(const PreparedFrame&) = delete;
-    PreparedFrame& operator=(const PreparedFrame&) = delete;
-
-    std::vector<SurfaceVertex> vertices;
-    std::vector<uint16_t> links, bands;
-    std::vector<uint32_t> see_through;
-    SurfaceMemory memory;
-    SurfaceFrame frame{};
-};
-
 inline bool is_same(const detail::Extent& a, const detail::Extent& b)
 {
     return a.begin == b.begin && a.end == b.end;
@@ -61,13 +41,10 @@ inline bool are_same(const PreparedFrame& a, const PreparedFrame& b)
 inline Bytes picture(const SurfaceFrame& frame, const Edge& edge)
 {
     const uint32_t stride = static_cast<uint32_t>(edge.width) * PixelRgb565::kBytes;
-    std::vector<uint32_t> pixels(stride * static_cast<uint32_t>(edge.height) / 4 + 1);
-    std::vector<uint32_t> samples((surface_stripe_bytes(edge.width, edge.height, frame.mode) + 3) / 4);
-    uint8_t* const bytes = reinterpret_cast<uint8_t*>(pixels.data());
-    render_surface<PixelRgb565, SurfaceMode::two_by_two, SurfaceFeatures::all>(
-        frame, OverColour{kSurfaceBackground}, {bytes, edge.x, edge.y, edge.width, edge.height, stride},
-        samples.data());
-    return Bytes(bytes, bytes + stride * static_cast<uint32_t>(edge.height));
+    Bytes pixels(stride * static_cast<size_t>(edge.height));
+    draw_stripe<PixelRgb565>(frame, OverColour{kSurfaceBackground},
+                             {pixels.data(), edge.x, edge.y, edge.width, edge.height, stride});
+    return pixels;
 }
 
 // `run` runs both halves of a step.

@@ -17,7 +17,6 @@ namespace
 {
 
 constexpr int32_t kSide = 64;
-constexpr auto kAll = SurfaceFeatures::all;
 #ifdef LUMI_TEST_LIGHT
 constexpr int kMoves = 60;
 #else
@@ -28,7 +27,7 @@ constexpr int kMoves = 600;
 class Mover
 {
 public:
-    explicit Mover(const SurfaceField& field, int32_t height_px = kSide) : field_(field), made_(field, height_px, 3) {}
+    explicit Mover(const SurfaceField& field, int32_t height_px = kSide) : field_(field), made_(field, height_px) {}
 
     bool turn(uint32_t part, uint32_t turns32) { return turn_part(field_, made_.memory, part, turns32); }
     bool slide(uint32_t part, int32_t offset_q20) { return slide_part(field_, made_.memory, part, offset_q20); }
@@ -39,37 +38,16 @@ public:
     }
 
     template <SurfaceFeatures kFeatures = kAll>
-    Bytes look(const Pose& pose, const Image& image, SurfaceMode mode)
-    {
-        SurfaceCamera camera;
-        REQUIRE(make_surface_camera(pose, image, camera) == CameraError::none);
-        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(field_, camera, mode, made_.memory,
-                                                                         made_.frame);
-        return picture<kFeatures>(image);
-    }
-    template <SurfaceFeatures kFeatures = kAll>
     Bytes look(const test::View& view, SurfaceMode mode)
     {
-        return look<kFeatures>(view.pose, view.image, mode);
+        made_.prepare<PixelRgb888, kFeatures>(field_, view, mode);
+        return drawn<PixelRgb888, kFeatures>(made_.frame).pixels();
     }
 
     const SurfaceFrame& frame() const { return made_.frame; }
     bool keeps_body() { return moving_parts(field_, made_.memory).keeps_body; }
 
 private:
-    template <SurfaceFeatures kFeatures>
-    Bytes picture(const Image& image) const
-    {
-        const uint32_t stride = 3 * static_cast<uint32_t>(image.width_px);
-        Bytes pixels(stride * static_cast<size_t>(image.height_px), 0xA5);
-        std::vector<uint32_t> samples((surface_stripe_bytes(image.width_px, image.height_px, made_.frame.mode) + 3) /
-                                      4);
-        render_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(
-            made_.frame, OverColour{kSurfaceBackground}, {pixels.data(), 0, 0, image.width_px, image.height_px, stride},
-            samples.data());
-        return pixels;
-    }
-
     const SurfaceField& field_;
     PreparedFrame made_;
 };
@@ -234,7 +212,7 @@ TEST_CASE("a part that turns or slides looks as it does at rest from an eye that
         Mover mover(opened.field(), kLargeSide), rest(opened.field(), kLargeSide);
         mover.set(0, slides ? static_cast<uint32_t>(q20(value)) : static_cast<uint32_t>(std::llround(value * 0x1p32)));
         const SurfaceMode mode = kSurfaceModes[k % 3];
-        const double off = share_off(rest.look(other, image, mode), mover.look(pose, image, mode));
+        const double off = share_off(rest.look({"", other, image}, mode), mover.look({"", pose, image}, mode));
         INFO("part " << k << ", value " << value);
         CHECK(off < 0.12);
         worst = std::max(worst, off);

@@ -39,31 +39,11 @@ TestSurface plain_ball()
 
 const Rgb8 kPlain = {100, 155, 90};  // colour 100 of the palette
 
-// A frame in pixels of 16 bits, drawn in rectangles of so many pixels over a background of grey stripes or a colour.
-// Rows begin in the middle of a word where `is_odd`.
 template <class Pixel, class Background>
-Bytes picture_of(const SurfaceField& field, const View& view, SurfaceMode mode, const Background& background,
-                 int32_t width, int32_t height, bool is_odd = false)
+Drawn<Pixel> drawn_plain(const SurfaceField& field, const View& view, SurfaceMode mode, const Background& background,
+                         const Area& area = {})
 {
-    std::vector<SurfaceVertex> vertices(field.vertex_count);
-    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-    SurfaceFrame frame;
-    prepare_surface<Pixel>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 3}, frame);
-    std::vector<uint16_t> pixels(kSide * kSide + 1);
-    for (size_t k = 0; k < pixels.size(); ++k) pixels[k] = static_cast<uint16_t>(k / kSide * 0x0841);
-    uint8_t* const first = reinterpret_cast<uint8_t*>(pixels.data() + (is_odd ? 1 : 0));
-    for (int32_t y = 0; y < kSide; y += height) {
-        for (int32_t x = 0; x < kSide; x += width) {
-            const Stripe stripe = {first + 2 * (y * kSide + x), x,        y, std::min(width, kSide - x),
-                                   std::min(height, kSide - y), 2 * kSide};
-            std::vector<uint32_t> samples(
-                (surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, mode) + 3) / 4, 0x5A5A5A5A);
-            render_surface<Pixel>(frame, background, stripe, samples.data());
-        }
-    }
-    return Bytes(first, first + 2 * kSide * kSide);
+    return drawn<Pixel, SurfaceFeatures::view_tables>(field, view, mode, background, area);
 }
 
 bool is_colour(const Bytes& picture, size_t pixel, const Rgb8& c)
@@ -82,11 +62,13 @@ TEST_CASE("a surface is the same in rectangles of any size")
         const View view = random_view(random, kSide);
         for (const SurfaceMode mode : kSurfaceModes) {
             CAPTURE(k, static_cast<int>(mode));
-            SurfaceScreen screen(opened.field(), view.pose, view.image, mode, static_cast<uint32_t>(k % 6));
-            const Bytes whole = screen.picture(kSide, kSide);
-            CHECK((screen.picture(kSide, 1) == whole));
-            CHECK((screen.picture(1, 7) == whole));
-            CHECK((screen.picture(7, 3 + static_cast<int32_t>(random() % 20)) == whole));
+            const auto in = [&](const Area& area) {
+                return surface_picture(opened.field(), view, mode, area, static_cast<uint32_t>(k % 6));
+            };
+            const Bytes whole = in({});
+            CHECK((in({kSide, 1}) == whole));
+            CHECK((in({1, 7}) == whole));
+            CHECK((in({7, 3 + static_cast<int32_t>(random() % 20)}) == whole));
         }
     }
 }
@@ -102,12 +84,13 @@ TEST_CASE("5-6-5 pixels of a surface are the same in rectangles of any size and 
         const OverColour grey{{90, 90, 90}};
         const int32_t width = 1 + static_cast<int32_t>(random() % kSide),
                       height = 1 + static_cast<int32_t>(random() % 20);
+        const Area area = {width, height, k % 2 == 0}, odd = {width, height, true};
         CAPTURE(k, static_cast<int>(mode), width, height);
-        const Bytes whole = picture_of<PixelRgb565>(field, view, mode, grey, kSide, kSide);
-        const Bytes over = picture_of<PixelRgb565>(field, view, mode, OverStripe{}, kSide, kSide, true);
-        CHECK((picture_of<PixelRgb565>(field, view, mode, grey, width, height, k % 2 == 0) == whole));
-        CHECK((picture_of<PixelRgb565>(field, view, mode, OverStripe{}, width, height, true) == over));
-        Bytes swapped = picture_of<PixelRgb565Swapped>(field, view, mode, grey, width, height);
+        const Bytes whole = drawn_plain<PixelRgb565>(field, view, mode, grey).pixels();
+        const Bytes over = drawn_plain<PixelRgb565>(field, view, mode, OverStripe{}, {kSide, kSide, true}).pixels();
+        CHECK((drawn_plain<PixelRgb565>(field, view, mode, grey, area).pixels() == whole));
+        CHECK((drawn_plain<PixelRgb565>(field, view, mode, OverStripe{}, odd).pixels() == over));
+        Bytes swapped = drawn_plain<PixelRgb565Swapped>(field, view, mode, grey, {width, height}).pixels();
         for (size_t p = 0; p < swapped.size(); p += 2) std::swap(swapped[p], swapped[p + 1]);
         CHECK((swapped == whole));
     }
@@ -120,9 +103,7 @@ TEST_CASE("surfaces can be drawn from every view, and show one colour as it is")
     for (const View& view : extreme_views(kSide)) {
         for (const SurfaceMode mode : kSurfaceModes) {
             CAPTURE(view.name, static_cast<int>(mode));
-            SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
-            REQUIRE(screen.error() == CameraError::none);
-            const Bytes picture = screen.picture(view.image.width_px, 9);
+            const Bytes picture = surface_picture(opened.field(), view, mode, {kMaxImageSide, 9});
             size_t covered = 0, others = 0;
             for (size_t p = 0; p < picture.size() / 3; ++p) {
                 covered += is_colour(picture, p, kPlain) ? 1u : 0u;
@@ -145,9 +126,8 @@ TEST_CASE("a closed surface has no holes however near it is")
         const Vec3 eye = distance * Vec3{r * std::cos(angle), r * std::sin(angle), height};
         const Image image = {64, 64, degrees(2 + k % 40)};
         CAPTURE(k, distance);
-        SurfaceScreen screen(opened.field(), look_at(eye, {0, 0, 0}, k * 11.0), image, SurfaceMode::one_sample);
-        REQUIRE(screen.error() == CameraError::none);
-        const Bytes picture = screen.picture(64, 16);
+        const Bytes picture = surface_picture(opened.field(), {"", look_at(eye, {0, 0, 0}, k * 11.0), image},
+                                              SurfaceMode::one_sample, {64, 16});
         size_t holes = 0;
         for (size_t p = 0; p < picture.size() / 3; ++p) holes += is_colour(picture, p, kPlain) ? 0u : 1u;
         CHECK(holes == 0);
@@ -159,13 +139,15 @@ TEST_CASE("stripes beside the image hold background, and nothing around them is 
     const OpenedSurface opened(surface_file(ball_with_neighbours()));
     const View view = extreme_views(kSide).front();
     for (const SurfaceMode mode : kSurfaceModes) {
-        SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
+        PreparedFrame made(opened.field(), kSide);
+        made.prepare<PixelRgb888, SurfaceFeatures::view_tables>(opened.field(), view, mode);
         for (const int32_t x : {INT_MIN, -40000, -41, -3, 0, 39, 40, 40000, INT_MAX - 8, INT_MAX}) {
             for (const int32_t y : {INT_MIN, -41, -2, 38, 40, 32767, INT_MAX}) {
                 CAPTURE(x, y, static_cast<int>(mode));
                 constexpr size_t kGuard = 64;
                 Bytes bytes(kGuard + 5 * 27 + kGuard, 0xA5);
-                screen.draw({bytes.data() + kGuard, x, y, 9, 5, 27});
+                draw_stripe<PixelRgb888, SurfaceFeatures::view_tables>(made.frame, OverColour{kSurfaceBackground},
+                                                                       {bytes.data() + kGuard, x, y, 9, 5, 27});
                 const auto untouched = [](uint8_t b) { return b == 0xA5; };
                 CHECK(std::all_of(bytes.begin(), bytes.begin() + kGuard, untouched));
                 CHECK(std::all_of(bytes.end() - kGuard, bytes.end(), untouched));
@@ -179,17 +161,16 @@ TEST_CASE("what lies under a stripe stays where no surface is")
     const OpenedSurface opened(surface_file(ball_with_neighbours()));
     const View view = extreme_views(kSide).front();
     for (const SurfaceMode mode : kSurfaceModes) {
-        SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
-        const Bytes over_colour = screen.picture(kSide, kSide);
+        PreparedFrame made(opened.field(), kSide);
+        made.prepare<PixelRgb888, SurfaceFeatures::view_tables>(opened.field(), view, mode);
         Bytes pixels;
         for (int k = 0; k < kSide * kSide; ++k)
             for (const uint8_t c : {kSurfaceBackground.r, kSurfaceBackground.g, kSurfaceBackground.b})
                 pixels.push_back(c);
-        std::vector<uint32_t> samples((surface_stripe_bytes(kSide, kSide, mode) + 3) / 4);
-        render_surface<PixelRgb888>(screen.frame(), OverStripe(), {pixels.data(), 0, 0, kSide, kSide, 3 * kSide},
-                                    samples.data());
+        draw_stripe<PixelRgb888, SurfaceFeatures::view_tables>(made.frame, OverStripe{},
+                                                               {pixels.data(), 0, 0, kSide, kSide, 3 * kSide});
         CAPTURE(static_cast<int>(mode));
-        CHECK((pixels == over_colour));
+        CHECK((pixels == surface_picture(opened.field(), view, mode)));
     }
 }
 
@@ -200,8 +181,7 @@ TEST_CASE("a surface's view colours are clamped, not wrapped")
         std::fill(s.texels.begin(), s.texels.end(), texel);
         const OpenedSurface opened(surface_file(s));
         const View view = extreme_views(kSide).front();
-        SurfaceScreen screen(opened.field(), view.pose, view.image, SurfaceMode::one_sample);
-        const Bytes picture = screen.picture(kSide, kSide);
+        const Bytes picture = surface_picture(opened.field(), view, SurfaceMode::one_sample);
         // Colour 0 is (0, 255, 40), 255 is (255, 0, 231): views add at most 127 levels, and some by rounding.
         size_t wrong = 0;
         for (size_t p = 0; p < picture.size() / 3; ++p) {
@@ -227,8 +207,7 @@ TEST_CASE("hostile surface fields are drawn or refused, never read beyond")
         if (opened.error() != FieldError::none) continue;
         ++accepted;
         const View view = random_view(random, kSide);
-        SurfaceScreen screen(opened.field(), view.pose, view.image, kSurfaceModes[k % 3]);
-        static_cast<void>(screen.picture(kSide, 16));
+        static_cast<void>(surface_picture(opened.field(), view, kSurfaceModes[k % 3], {kSide, 16}));
     }
     CHECK(accepted > 0);
 }

@@ -25,64 +25,6 @@ constexpr int kViews = 6;
 constexpr int kViews = 60;
 #endif
 
-struct Area {
-    int32_t width, height;  // of the rectangles that a picture is drawn in
-    bool is_odd = false;    // whether rows begin in the middle of a word
-};
-
-template <class Pixel>
-struct Drawn {
-    std::vector<uint32_t> words;
-    Bytes coverage;
-    bool is_odd;
-
-    uint8_t* first() { return reinterpret_cast<uint8_t*>(words.data()) + (is_odd && Pixel::kBytes == 2 ? 2 : 0); }
-    Bytes pixels() { return Bytes(first(), first() + Pixel::kBytes * kSide * kSide); }
-    Rgb8 at(int32_t x, int32_t y)
-    {
-        return Pixel::load(first() + static_cast<uint32_t>(y * kSide + x) * Pixel::kBytes);
-    }
-};
-
-// A frame in memory of its very size, over a stripe that holds a pattern.
-template <class Pixel, class Background>
-Drawn<Pixel> drawn(const SurfaceField& field, const test::View& view, SurfaceMode mode, const Background& background,
-                   const Area& area = {kSide, kSide})
-{
-    std::vector<SurfaceVertex> vertices(field.vertex_count);
-    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kSide, 3));
-    std::vector<uint32_t> see_through(feature_words(field));
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-    SurfaceFrame frame;
-    const SurfaceMemory memory = {vertices.data(), links.data(), bands.data(), 3, see_through.data()};
-    prepare_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(field, camera, mode, memory, frame);
-    Drawn<Pixel> result = {std::vector<uint32_t>(kSide * kSide * Pixel::kBytes / 4 + 2), Bytes(kSide * kSide),
-                           area.is_odd};
-    for (int32_t k = 0; k < kSide * kSide; ++k)
-        Pixel::store(result.first() + static_cast<uint32_t>(k) * Pixel::kBytes,
-                     {static_cast<uint8_t>(k), static_cast<uint8_t>(k / kSide * 6), static_cast<uint8_t>(k % kSide)});
-    for (int32_t y = 0; y < kSide; y += area.height) {
-        for (int32_t x = 0; x < kSide; x += area.width) {
-            const Stripe stripe = {result.first() + static_cast<uint32_t>(y * kSide + x) * Pixel::kBytes,
-                                   x,
-                                   y,
-                                   std::min(area.width, kSide - x),
-                                   std::min(area.height, kSide - y),
-                                   kSide * Pixel::kBytes};
-            std::vector<uint32_t> samples(
-                (surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, mode) + 3) / 4, 0x5A5A5A5A);
-            render_surface<Pixel, SurfaceMode::two_by_two, SurfaceFeatures::all>(frame, background, stripe,
-                                                                                 samples.data());
-            if constexpr (kKeepsCoverage<Background>)
-                render_coverage<SurfaceFeatures::all>(
-                    frame, {result.coverage.data() + y * kSide + x, x, y, stripe.width_px, stripe.height_px, kSide},
-                    samples.data());
-        }
-    }
-    return result;
-}
-
 test::View from_above()
 {
     test::View view;
@@ -356,9 +298,7 @@ TEST_CASE("a field without glass shows the same pixels where glass could be")
     for (int k = 0; k < kViews; ++k) {
         const test::View view = random_view(random, kSide);
         const SurfaceMode mode = kSurfaceModes[k % 3];
-        SurfaceScreen screen(plain.field(), view.pose, view.image, mode);
-        CHECK((drawn<PixelRgb888>(opened.field(), view, mode, OverColour{kSurfaceBackground}).pixels() ==
-               screen.picture(kSide, kSide)));
+        CHECK((drawn<PixelRgb888>(opened.field(), view, mode).pixels() == surface_picture(plain.field(), view, mode)));
     }
 }
 

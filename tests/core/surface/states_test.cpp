@@ -21,7 +21,6 @@ namespace
 {
 
 constexpr int32_t kSide = 64;
-constexpr auto kAll = SurfaceFeatures::all;
 constexpr auto kWithoutStates = SurfaceFeatures::view_tables | SurfaceFeatures::see_through | SurfaceFeatures::parts;
 constexpr uint16_t kFull = kFullWeight;
 #ifdef LUMI_TEST_LIGHT
@@ -34,7 +33,7 @@ constexpr int kLooks = 120;
 class Lit
 {
 public:
-    explicit Lit(const SurfaceField& field) : field_(field), made_(field, 2 * kSide, 3) {}
+    explicit Lit(const SurfaceField& field) : field_(field), made_(field, 2 * kSide) {}
 
     void reset() { reset_states(field_, made_.memory); }
     bool set(uint32_t state, const StateWeight& weight) { return set_state(field_, made_.memory, state, weight); }
@@ -43,40 +42,13 @@ public:
     template <SurfaceFeatures kFeatures = kAll>
     void look(const test::View& view, SurfaceMode mode)
     {
-        SurfaceCamera camera;
-        REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
-        prepare_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(field_, camera, mode, made_.memory,
-                                                                         made_.frame);
-    }
-
-    // In rectangles of at most so many pixels.
-    template <SurfaceFeatures kFeatures = kAll>
-    Bytes picture(int32_t width, int32_t height) const
-    {
-        const SurfaceFrame& f = made_.frame;
-        const uint32_t stride = 3 * static_cast<uint32_t>(f.width_px);
-        Bytes pixels(stride * static_cast<size_t>(f.height_px), 0xA5);
-        for (int32_t y = 0; y < f.height_px; y += height) {
-            for (int32_t x = 0; x < f.width_px; x += width) {
-                const Stripe stripe = {&pixels[static_cast<uint32_t>(y) * stride + 3 * static_cast<uint32_t>(x)],
-                                       x,
-                                       y,
-                                       std::min(width, f.width_px - x),
-                                       std::min(height, f.height_px - y),
-                                       stride};
-                std::vector<uint32_t> samples((surface_stripe_bytes(stripe.width_px, stripe.height_px, f.mode) + 3) /
-                                              4);
-                render_surface<PixelRgb888, SurfaceMode::two_by_two, kFeatures>(f, OverColour{kSurfaceBackground},
-                                                                                stripe, samples.data());
-            }
-        }
-        return pixels;
+        made_.prepare<PixelRgb888, kFeatures>(field_, view, mode);
     }
     template <SurfaceFeatures kFeatures = kAll>
     Bytes shown(const test::View& view, SurfaceMode mode)
     {
         look<kFeatures>(view, mode);
-        return picture<kFeatures>(2 * kSide, 2 * kSide);
+        return drawn<PixelRgb888, kFeatures>(made_.frame).pixels();
     }
 
     const SurfaceField& field() const { return field_; }
@@ -360,7 +332,7 @@ TEST_CASE("weighed light is the same in rectangles of any size, and from two cor
         const Bytes whole = lit.shown(view, mode);
         const auto width = 1 + static_cast<int32_t>(any(random) % kSide),
                    height = 1 + static_cast<int32_t>(any(random) % 20);
-        CHECK((whole == lit.picture(width, height)));
+        CHECK((whole == drawn<PixelRgb888>(lit.frame(), OverColour{kSurfaceBackground}, {width, height}).pixels()));
         SurfaceCamera camera;
         REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
         PreparedFrame by_one(lit.field(), kSide, 3), by_two(lit.field(), kSide, 3);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Draws pictures of surface fields for tests, in stripes of any size.
+// Draws pictures of surface fields for tests, in rectangles of any size.
 #pragma once
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <vector>
 
 #include "field_bytes.h"
@@ -12,6 +13,7 @@
 namespace lumi::test
 {
 
+inline constexpr SurfaceFeatures kAll = SurfaceFeatures::all;
 inline constexpr Rgb8 kSurfaceBackground = {1, 2, 3};
 
 // A field with the bytes that it is read from.
@@ -38,61 +40,111 @@ private:
 using OpenedSurface = Opened<SurfaceFeatures::view_tables>;
 using OpenedGlass = Opened<SurfaceFeatures::all>;
 
-// A frame with its memory.
-class SurfaceScreen
-{
-public:
-    SurfaceScreen(const SurfaceField& field, const Pose& pose, const Image& image, SurfaceMode mode,
-                  uint32_t band_log2 = 3)
-        : image_(image),
-          mode_(mode),
-          vertices_(field.vertex_count),
-          links_(surface_links(field.patch_count)),
-          bands_(surface_bands(image.height_px, band_log2))
+// A frame with memory of its very size. Vertices and links hold what an older frame may have left.
+struct PreparedFrame {
+    PreparedFrame(const SurfaceField& field, int32_t height_px, uint32_t band_log2 = 3)
+        : vertices(field.vertex_count),
+          links(surface_links(field.patch_count), 0x5A5A),
+          bands(surface_bands(height_px, band_log2), 0x5A5A),
+          features(feature_words(field)),
+          memory{vertices.data(), links.data(), bands.data(), band_log2, features.data()}
+    {
+    }
+    PreparedFrame(const PreparedFrame&) = delete;
+    PreparedFrame& operator=(const PreparedFrame&) = delete;
+
+    template <class Pixel, SurfaceFeatures kFeatures = kAll>
+    void prepare(const SurfaceField& field, const View& view, SurfaceMode mode)
     {
         SurfaceCamera camera;
-        error_ = make_surface_camera(pose, image, camera);
-        if (error_ == CameraError::none) {
-            prepare_surface<PixelRgb888>(field, camera, mode,
-                                         {vertices_.data(), links_.data(), bands_.data(), band_log2}, frame_);
-        }
-    }
-    SurfaceScreen(const SurfaceScreen&) = delete;
-    SurfaceScreen& operator=(const SurfaceScreen&) = delete;
-
-    CameraError error() const { return error_; }
-    const SurfaceFrame& frame() const { return frame_; }
-
-    // Into exactly as much memory for samples as the header says.
-    void draw(const Stripe& stripe)
-    {
-        const uint32_t bytes = surface_stripe_bytes(stripe.width_px, stripe.height_px, mode_);
-        std::vector<uint32_t> samples((bytes + 3) / 4);
-        render_surface<PixelRgb888>(frame_, OverColour{kSurfaceBackground}, stripe, samples.data());
+        REQUIRE(make_surface_camera(view.pose, view.image, camera) == CameraError::none);
+        prepare_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(field, camera, mode, memory, frame);
     }
 
-    // The whole picture in rectangles of at most so many pixels.
-    Bytes picture(int32_t width, int32_t height)
-    {
-        const uint32_t stride = 3 * static_cast<uint32_t>(image_.width_px);
-        Bytes pixels(stride * static_cast<size_t>(image_.height_px), 0xA5);
-        for (int32_t y = 0; y < image_.height_px; y += height) {
-            for (int32_t x = 0; x < image_.width_px; x += width) {
-                uint8_t* const at = pixels.data() + static_cast<uint32_t>(y) * stride + 3 * static_cast<uint32_t>(x);
-                draw({at, x, y, std::min(width, image_.width_px - x), std::min(height, image_.height_px - y), stride});
+    std::vector<SurfaceVertex> vertices;
+    std::vector<uint16_t> links, bands;
+    std::vector<uint32_t> features;
+    SurfaceMemory memory;
+    SurfaceFrame frame{};
+};
+
+// Draws a stripe, and returns its samples: exactly as much memory as the header says, which held an older stripe's.
+template <class Pixel, SurfaceFeatures kFeatures = kAll, class Background>
+std::vector<uint32_t> draw_stripe(const SurfaceFrame& frame, const Background& background, const Stripe& stripe)
+{
+    const uint32_t bytes = surface_stripe_bytes<Pixel>(stripe.width_px, stripe.height_px, frame.mode);
+    std::vector<uint32_t> samples((bytes + 3) / 4, 0x5A5A5A5A);
+    render_surface<Pixel, SurfaceMode::two_by_two, kFeatures>(frame, background, stripe, samples.data());
+    return samples;
+}
+
+// The largest rectangles that a picture is drawn in.
+struct Area {
+    int32_t width = kMaxImageSide, height = kMaxImageSide;
+    bool is_odd = false;  // whether rows of pixels of 16 bits begin in the middle of a word
+};
+
+// A picture, over a pattern, and its coverage where that is kept.
+template <class Pixel>
+struct Drawn {
+    int32_t width, height;
+    bool is_odd;
+    std::vector<uint32_t> words = std::vector<uint32_t>((bytes() + 3) / 4 + 1);
+    Bytes coverage = Bytes(static_cast<size_t>(width * height));
+
+    size_t bytes() const { return static_cast<size_t>(width * height) * Pixel::kBytes; }
+    uint8_t* first() { return reinterpret_cast<uint8_t*>(words.data()) + (is_odd && Pixel::kBytes == 2 ? 2 : 0); }
+    uint8_t* pixel(int32_t x, int32_t y) { return first() + static_cast<size_t>(y * width + x) * Pixel::kBytes; }
+    Rgb8 at(int32_t x, int32_t y) { return Pixel::load(pixel(x, y)); }
+    Bytes pixels() { return Bytes(first(), first() + bytes()); }
+};
+
+template <class Pixel, SurfaceFeatures kFeatures = kAll, class Background = OverColour>
+Drawn<Pixel> drawn(const SurfaceFrame& frame, const Background& background = {kSurfaceBackground},
+                   const Area& area = {})
+{
+    Drawn<Pixel> result = {frame.width_px, frame.height_px, area.is_odd};
+    const auto byte = [](int32_t v) { return static_cast<uint8_t>(v); };
+    for (int32_t y = 0; y < frame.height_px; ++y)
+        for (int32_t x = 0; x < frame.width_px; ++x)
+            Pixel::store(result.pixel(x, y), {byte(y * frame.width_px + x), byte(y * 6), byte(x)});
+    const uint32_t stride = static_cast<uint32_t>(frame.width_px) * Pixel::kBytes;
+    for (int32_t y = 0; y < frame.height_px; y += area.height) {
+        for (int32_t x = 0; x < frame.width_px; x += area.width) {
+            Stripe stripe = {result.pixel(x, y),
+                             x,
+                             y,
+                             std::min(area.width, frame.width_px - x),
+                             std::min(area.height, frame.height_px - y),
+                             stride};
+            std::vector<uint32_t> samples = draw_stripe<Pixel, kFeatures>(frame, background, stripe);
+            if constexpr (detail::kKeepsCoverage<Background>) {
+                stripe.pixels = &result.coverage[static_cast<size_t>(y * frame.width_px + x)];
+                stripe.stride_bytes = static_cast<uint32_t>(frame.width_px);
+                render_coverage<kFeatures>(frame, stripe, samples.data());
             }
         }
-        return pixels;
     }
+    return result;
+}
 
-private:
-    Image image_;
-    SurfaceMode mode_;
-    std::vector<SurfaceVertex> vertices_;
-    std::vector<uint16_t> links_, bands_;
-    SurfaceFrame frame_;
-    CameraError error_;
-};
+template <class Pixel, SurfaceFeatures kFeatures = kAll, class Background = OverColour>
+Drawn<Pixel> drawn(const SurfaceField& field, const View& view, SurfaceMode mode,
+                   const Background& background = {kSurfaceBackground}, const Area& area = {}, uint32_t band_log2 = 3)
+{
+    PreparedFrame made(field, view.image.height_px, band_log2);
+    made.prepare<Pixel, kFeatures>(field, view, mode);
+    return drawn<Pixel, kFeatures>(made.frame, background, area);
+}
+
+// What a program draws that names view tables alone.
+inline Bytes surface_picture(const SurfaceField& field, const View& view, SurfaceMode mode, const Area& area = {},
+                             uint32_t band_log2 = 3)
+{
+    return drawn<PixelRgb888, SurfaceFeatures::view_tables>(field, view, mode, OverColour{kSurfaceBackground}, area,
+                                                            band_log2)
+        .pixels();
+}
 
 inline const SurfaceMode kSurfaceModes[] = {SurfaceMode::one_sample, SurfaceMode::antialiased, SurfaceMode::two_by_two};
 

@@ -85,10 +85,9 @@ Difference difference_of(const TestSurface& s, const View& view, SurfaceMode mod
     }
     const OpenedSurface opened(file_of(sections));
     REQUIRE(opened.error() == FieldError::none);
-    SurfaceScreen screen(opened.field(), view.pose, view.image, mode);
-    const Bytes drawn = screen.picture(view.image.width_px, 16);
+    const Bytes picture = surface_picture(opened.field(), view, mode, {kMaxImageSide, 16});
     const twin::SurfaceDrawing drawing = {mode == SurfaceMode::two_by_two ? 2 : 1};
-    return difference(drawn,
+    return difference(picture,
                       twin::draw_surface(opened.bytes().data(), view.pose, view.image, drawing, kSurfaceBackground));
 }
 
@@ -163,10 +162,12 @@ TEST_CASE("colours do not drift over wide triangles, and are the same in every s
         pixels += 3 * static_cast<double>(d.pixels);
         const OpenedSurface opened(file_of(surface_sections(s)));
         REQUIRE(opened.error() == FieldError::none);
-        SurfaceScreen screen(opened.field(), view.pose, view.image, SurfaceMode::two_by_two);
-        const Bytes whole = screen.picture(view.image.width_px, view.image.height_px);
-        CHECK(screen.picture(view.image.width_px, 3) == whole);
-        CHECK(screen.picture(37, 29) == whole);
+        const auto in = [&](const Area& area) {
+            return surface_picture(opened.field(), view, SurfaceMode::two_by_two, area);
+        };
+        const Bytes whole = in({});
+        CHECK(in({kMaxImageSide, 3}) == whole);
+        CHECK(in({37, 29}) == whole);
     }
     CHECK(squares / pixels < 0.5);
 }

@@ -6,6 +6,7 @@
 #include "lumi/lumi.h"
 #include "lumi/surface/view.h"
 #include "surface/surface_bytes.h"
+#include "surface/surface_drawing.h"
 
 using namespace lumi;
 using test::Bytes;
@@ -22,23 +23,14 @@ const Bytes& ball()
     return bytes;
 }
 
-// A whole image by one stripe, without a view.
+// A whole image by one stripe, without a view, in bands of one scanline: no picture depends on their height.
 Bytes free_image(const Image& image, SurfaceMode mode)
 {
     SurfaceField field;
     REQUIRE(open_surface(ball().data(), ball().size(), field) == FieldError::none);
-    SurfaceCamera camera;
-    REQUIRE(make_surface_camera(pose_of(kOrbit), image, camera) == CameraError::none);
-    std::vector<SurfaceVertex> vertices(field.vertex_count);
-    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(image.height_px, 0));
-    SurfaceFrame frame;
-    prepare_surface<PixelRgb888>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 0}, frame);
-    std::vector<uint32_t> samples(surface_stripe_bytes(image.width_px, image.height_px, mode) / 4 + 1);
-    const uint32_t stride = 3 * static_cast<uint32_t>(image.width_px);
-    Bytes pixels(stride * static_cast<size_t>(image.height_px));
-    render_surface<PixelRgb888>(frame, OverBlack{}, {pixels.data(), 0, 0, image.width_px, image.height_px, stride},
-                                samples.data());
-    return pixels;
+    return test::drawn<PixelRgb888, SurfaceFeatures::view_tables>(field, {"", pose_of(kOrbit), image}, mode,
+                                                                  OverBlack{}, {}, 0)
+        .pixels();
 }
 
 // Every mode up to the finest in stripes of kRows, with samples in memory of their very size.

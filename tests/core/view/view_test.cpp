@@ -10,6 +10,7 @@
 #include "lumi/chord/view.h"
 #include "lumi/surface/view.h"
 #include "surface/surface_bytes.h"
+#include "surface/surface_drawing.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -57,21 +58,16 @@ Bytes frame_of(AnyView& view, int32_t rows = kRows)
         rows, [&](const Stripe& stripe) { REQUIRE(view.draw(stripe) == ViewError::none); });
 }
 
+// In bands of another height than the view's: no picture depends on them.
 template <class Pixel>
 Bytes free_surface_frame(const Bytes& bytes, SurfaceMode mode)
 {
     SurfaceField field;
     REQUIRE(open_surface(bytes.data(), bytes.size(), field) == FieldError::none);
-    SurfaceCamera camera;
     const Image image = {kWidth, kHeight, fit_sphere(kWidth, kHeight, kOrbit.distance_q20)};
-    REQUIRE(make_surface_camera(pose_of(kOrbit), image, camera) == CameraError::none);
-    std::vector<SurfaceVertex> vertices(field.vertex_count);
-    std::vector<uint16_t> links(surface_links(field.patch_count)), bands(surface_bands(kHeight, 3));
-    SurfaceFrame frame;
-    prepare_surface<Pixel>(field, camera, mode, {vertices.data(), links.data(), bands.data(), 3}, frame);
-    std::vector<uint32_t> samples(surface_stripe_bytes(kWidth, kRows, mode) / 4 + 1);
-    return frame_by<Pixel>(
-        kRows, [&](const Stripe& stripe) { render_surface<Pixel>(frame, OverBlack{}, stripe, samples.data()); });
+    return test::drawn<Pixel, SurfaceFeatures::view_tables>(field, {"", pose_of(kOrbit), image}, mode, OverBlack{},
+                                                            {kWidth, kRows}, 3)
+        .pixels();
 }
 
 template <class Pixel>
