@@ -7,7 +7,6 @@
 
 #include "lumi/surface/view.h"
 #include "surface_bytes.h"
-#include "surface_drawing.h"
 
 using namespace lumi;
 using namespace lumi::detail;
@@ -28,7 +27,7 @@ struct Drawn {
 };
 
 template <class Pixel, class Background>
-Drawn drawn(SurfaceMode mode, const Background& background, int32_t rows = kRows)
+Drawn drawn(SurfaceMode mode, const Background& background)
 {
     static BallView<Pixel> view;
     static const Bytes file = test::surface_file(test::bumpy_ball());
@@ -36,11 +35,11 @@ Drawn drawn(SurfaceMode mode, const Background& background, int32_t rows = kRows
     REQUIRE(view.look(kOrbit, mode) == ViewError::none);
     constexpr uint32_t kStride = kWidth * Pixel::kBytes;
     Drawn result = {Bytes(kStride * kHeight, 0xA5), Bytes(kWidth * kHeight, 0xA5)};
-    for (int32_t y = 0; y < kHeight; y += rows) {
+    for (int32_t y = 0; y < kHeight; y += kRows) {
         const uint32_t at = static_cast<uint32_t>(y);
-        REQUIRE(view.draw({result.pixels.data() + at * kStride, 0, y, kWidth, rows, kStride}, background) ==
+        REQUIRE(view.draw({result.pixels.data() + at * kStride, 0, y, kWidth, kRows, kStride}, background) ==
                 ViewError::none);
-        REQUIRE(view.draw_coverage({result.coverage.data() + at * kWidth, 0, y, kWidth, rows, kWidth}) ==
+        REQUIRE(view.draw_coverage({result.coverage.data() + at * kWidth, 0, y, kWidth, kRows, kWidth}) ==
                 ViewError::none);
     }
     return result;
@@ -332,18 +331,6 @@ TEST_CASE("outlines are blended by what they cover")
     CHECK(coverage_error(SurfaceMode::two_by_two, exact) < 0.5 * one_sample);
 }
 
-TEST_CASE("no picture depends on the height of bands")
-{
-    const test::OpenedSurface ball(test::surface_file(test::bumpy_ball()));
-    const Image image = {kWidth, kHeight, fit_sphere(kWidth, kHeight, kOrbit.distance_q20)};
-    for (const SurfaceMode mode : kModes) {
-        const auto picture = [&](uint32_t log2) {
-            return test::surface_picture(ball.field(), {"", pose_of(kOrbit), image}, mode, {}, log2);
-        };
-        for (const uint32_t log2 : {3u, 5u, 8u}) CHECK((picture(log2) == picture(0)));
-    }
-}
-
 TEST_CASE("what is drawn over nothing and laid over a colour is what is drawn over the colour")
 {
     // Rounding of the coverage to 1/255 and of two blends: half a level each, and what is cut off of a mean of four.
@@ -382,16 +369,6 @@ TEST_CASE("pixels with coverage are opaque over a colour")
         wrong += a[0] != b[2] || a[1] != b[1] || a[2] != b[0] || a[3] != 255;
     }
     CHECK(wrong == 0);
-}
-
-TEST_CASE("coverage does not depend on stripes")
-{
-    for (const SurfaceMode mode : kModes) {
-        const Drawn whole = drawn<PixelArgb8888>(mode, OverNothing{}),
-                    cut = drawn<PixelArgb8888>(mode, OverNothing{}, 4);
-        CHECK((whole.pixels == cut.pixels));
-        CHECK((whole.coverage == cut.coverage));
-    }
 }
 
 TEST_CASE("5-5-5 pixels are those of 8 bits to the nearest step, with the top bit clear")

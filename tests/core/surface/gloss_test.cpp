@@ -255,25 +255,18 @@ TEST_CASE("gloss: no read leaves the disc, whatever lies where places should be,
     }
 }
 
-TEST_CASE("gloss: patches without a map look as without the section, and swapped pixels as others")
+TEST_CASE("gloss: swapped pixels show what others show")
 {
     const TestSurface s = ball_for_gloss();
-    TestGloss none = any_gloss(s);
-    none.choices.assign(none.choices.size(), 0);
-    const OpenedGlass plain(surface_file(s)), unused(glossy_file(s, none)), glossy(glossy_file(s, any_gloss(s)));
+    const OpenedGlass glossy(glossy_file(s, any_gloss(s)));
     std::minstd_rand random(18);
-    int different = 0;
     for (int look = 0; look < kLooks; ++look) {
         const test::View view = random_view(random, kSide);
         const SurfaceMode mode = kSurfaceModes[look % 3];
-        const Bytes without = drawn<PixelRgb888>(plain.field(), view, mode).pixels();
-        REQUIRE((without == drawn<PixelRgb888>(unused.field(), view, mode).pixels()));
-        different += without == drawn<PixelRgb888>(glossy.field(), view, mode).pixels() ? 0 : 1;
         const Bytes low = drawn<PixelRgb565>(glossy.field(), view, mode).pixels(),
                     high = drawn<PixelRgb565Swapped>(glossy.field(), view, mode).pixels();
         for (size_t k = 0; k < low.size(); k += 2) REQUIRE((low[k] == high[k + 1] && low[k + 1] == high[k]));
     }
-    CHECK(different > kLooks / 2);
 }
 
 TEST_CASE("gloss: sections that are wrong are refused by name, and no byte of them leads astray")

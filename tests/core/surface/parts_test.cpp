@@ -120,24 +120,6 @@ TEST_CASE("parts at rest show the same pixels as a mesh that rests")
     }
 }
 
-TEST_CASE("a whole turn in any steps comes back to the same pixels")
-{
-    std::minstd_rand random(2);
-    const OpenedGlass opened(mover_file(moving_ball()));
-    Mover mover(opened.field());
-    const test::View view = extreme_views(kSide)[0];
-    const Bytes first = mover.look(view, SurfaceMode::antialiased);
-    uint32_t angle = 0, shown = 0;
-    for (int k = 0; k < 100; ++k) {
-        angle += any(random);
-        REQUIRE(mover.turn(0, angle));
-        shown += mover.look(view, SurfaceMode::antialiased) != first ? 1u : 0u;
-    }
-    CHECK(shown > 50);
-    REQUIRE(mover.turn(0, 0));
-    CHECK(mover.look(view, SurfaceMode::antialiased) == first);
-}
-
 namespace
 {
 
