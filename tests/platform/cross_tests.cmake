@@ -154,7 +154,7 @@ endforeach()
 add_test(NAME platform.add_subdirectory_firmware
   COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${lumi_consumer} ${lumi_consumer_build}/firmware
     --build-generator ${CMAKE_GENERATOR}
-    --build-options -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR}
+    --build-options -DLUMI_SOURCE_DIR=${PROJECT_SOURCE_DIR} ${lumi_consumer_field}
       -DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/toolchains/cortex-m0plus.cmake)
 
 # Core's archives compile as each ecosystem compiles them.
