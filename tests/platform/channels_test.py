@@ -105,6 +105,7 @@ def cmsis(tree):
     pack = xml.etree.ElementTree.parse(tree / f"{vendor}.lumi.pdsc").getroot()
     check("cmsis", {child.tag: child.text for child in pack},
           {"vendor": vendor, "name": "lumi", "description": r".{1,256}", "url": URL + "/", "license": "LICENSE"})
+    check("cmsis", pack.find("releases/release").attrib, {"version": re.escape(VERSION)})
     order = [child.tag for child in pack]
     known = ["vendor", "name", "description", "url", "supportContact", "license", "releases", "conditions", "components"]
     require("cmsis", order == known, f"elements are {order}, not in the order of PACK.xsd")

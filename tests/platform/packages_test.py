@@ -137,19 +137,9 @@ def listed(build, name, core, stub):
     return [pathlib.Path(s) for s in found["source"]], flags
 
 
-def check_version(name, version):
-    if version != (ROOT / "core/VERSION").read_text().strip():
-        sys.exit(f"error: {name}: its version is {version}, not that of core/VERSION")
-
-
 def manifests(core):
-    """What idf.py and west read before CMake."""
-    text = (core / "idf_component.yml").read_text()
-    component = dict(re.findall(r"^(\w+): *(.*)$", text, re.MULTILINE))
-    check_version("esp-idf", component["version"].strip('"'))
+    """What west reads before CMake."""
     module = dict(re.findall(r"^ +(cmake|kconfig): *(.*)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE))
-    if not (core / module["cmake"] / "CMakeLists.txt").is_file() or not (core / module["kconfig"]).is_file():
-        sys.exit("error: zephyr: module.yml names files that are not there")
     options = set(re.findall(r"^config (\w+)$", (core / module["kconfig"]).read_text(), re.MULTILINE))
     samples = re.findall(r"^  - (\S+)$", (core / "zephyr/module.yml").read_text(), re.MULTILINE)
     if not samples or not all(list((core / name).glob("*/sample.yaml")) for name in samples):
@@ -242,10 +232,6 @@ def old_standard(build, core):
 def platformio(build, core):
     """library.json has no srcFilter and no includeDir: all of src, with include and src as include paths."""
     manifest = json.loads((core / "library.json").read_text())
-    check_version("platformio", manifest["version"])
-    for header in manifest["headers"]:
-        if not (core / "include" / header).is_file():
-            sys.exit(f"error: platformio: library.json names {header}, which is not there")
     sources = [p for p in sorted((core / "src").rglob("*")) if p.suffix in (".c", ".cpp", ".S")]
     build.compile("platformio", sources, [*M0, "-Os", f"-I{core / 'include'}", f"-I{core / 'src'}", "-ffunction-sections"],
                   [*manifest["build"]["flags"], "-fno-exceptions"])
@@ -255,11 +241,7 @@ def cmsis_pack(build, archives):
     folder = build.fresh("cmsis")
     zipfile.ZipFile(next(archives.glob("*.pack"))).extractall(folder)
     description = xml.etree.ElementTree.parse(next(folder.glob("*.pdsc"))).getroot()
-    check_version("cmsis-pack", description.find("releases/release").get("version"))
     named = [(f.get("category"), f.get("name")) for f in description.iter("file")]
-    for name in [description.find("license").text, *(n for _, n in named)]:
-        if not (folder / name).exists():
-            sys.exit(f"error: cmsis-pack: the description names {name}, which is not in the pack")
     sources = [folder / n for c, n in named if c == "source"]
     includes = [f"-I{folder / n}" for c, n in named if c == "include"]
     build.compile("cmsis-pack", sources, [*M0, "-O2", *includes, "-ffunction-sections"],
@@ -274,9 +256,6 @@ def esp_idf_lvgl(build, archives, cxx):
     if [path.name for path in folder.iterdir()] != ["lumi"]:
         sys.exit(f"error: esp-idf: the archive holds {sorted(folder.iterdir())}")
     core = folder / "lumi"
-    for name in ("CHANGELOG.md", "LICENSE", "idf_component.yml"):
-        if not (core / name).is_file():
-            sys.exit(f"error: esp-idf: the component has no {name}")
     if set(re.findall(r"config (\w+)", (core / "Kconfig").read_text())) != {"LUMI_LVGL"}:
         sys.exit("error: esp-idf: Kconfig has other options than CMakeLists.txt")
     sources, flags = listed(build, "esp-idf-lvgl", core, "set(CONFIG_LUMI_LVGL y)" + ESP_IDF)
