@@ -212,11 +212,11 @@ class Builder:
         self.work.mkdir(parents=True)
 
 
-def run(program, test, cpu_s, memory=MEMORY):
+def run(program, test, cpu_s):
     """None where the tests of that file pass; else why not."""
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_s) + 1, int(cpu_s) + 2))
-        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     done = subprocess.run([program, "--filenames-as-tags", "--abort", f"[#{pathlib.Path(test).stem.split('.')[0]}]"],
                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=limit, check=False)
@@ -309,16 +309,12 @@ def rows_of(results):
     return [{"kind": kind, **rows[kind]} for kind in sorted(rows, key=lambda kind: (kind == "all", kind))]
 
 
-def options_of(description, count):
-    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--count", type=int, default=count)
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--minutes", type=float, default=1e9)
     parser.add_argument("--again", action="store_true")
-    return parser.parse_args()
-
-
-def main():
-    options = options_of(__doc__, 100)
+    options = parser.parse_args()
     results = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else []
     if options.again:
         results = [result for result in results if result["outcome"] != "survived"]
