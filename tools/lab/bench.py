@@ -27,7 +27,7 @@ SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel 
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
 SEE_THROUGH_PARTS = ["order", "blends"]  # of gloss maps, too; 0 for fields without both
-# What the host's row counts of a field's features, and the program that draws them: without rates and accuracy.
+# What the host's row counts of a field's features, and the program that draws them: without accuracy.
 UNJUDGED = {"states": "states", "gloss": "gloss", "see_through_patches": "see_through"}
 # "tall": instructions in stripes of 24 rows; "weigh": of another weight of a light state; "halves": until two cores have prepared the frame.
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]
@@ -46,11 +46,11 @@ def announce(text):
     print(text, file=sys.stderr, flush=True)
 
 
-def run(*command, stdin=None):
+def run(*command):
     """Returns what the command wrote to standard output."""
     command = [str(word) for word in command]
     try:
-        result = subprocess.run(command, input=stdin, capture_output=True, text=True)
+        result = subprocess.run(command, capture_output=True, text=True)
     except FileNotFoundError:
         raise BenchError(f"{command[0]} is missing: install it, or put it into PATH") from None
     if result.returncode != 0:
@@ -66,8 +66,8 @@ def lumi(*words):
     return run(program("LUMI", "lumi"), *words)
 
 
-def lab(*words, stdin=None):
-    return json.loads(run(program("LUMI_LAB", "lab/lumi-lab"), *words, stdin=stdin))
+def lab(*words):
+    return json.loads(run(program("LUMI_LAB", "lab/lumi-lab"), *words))
 
 
 def parse_counts(text, names):
@@ -231,8 +231,7 @@ def measure(options):
     boards = [Board(core, options.work) for core in options.core]
     chord = chord_rows(options, boards)
     surface, facts = surface_rows(options, boards)
-    is_judged = not set(UNJUDGED) & set(facts or {})
-    rows = surface if not is_judged else lab("parts", "--rate", stdin=json.dumps(chord + surface))
+    rows = chord + surface
     if options.docs:
         save("tradeoff", {"parts": lab("parts"), "rows": rows, "surface_field": facts,
                           "field": {"scene": options.scene.name, "origins": options.origins,
@@ -250,8 +249,7 @@ def print_rows(rows):
     columns = ["core", "mode", "texel", "pixel", "span", "view", "instructions_per_pixel", "code_bytes", "stack_bytes",
                "psnr_db", "worst_pixel"]
     for row in rows:
-        rates = [f"{key[4:]} {value:.1f} frames/s" for key, value in row.items() if key.startswith("fps_")]
-        print("  ".join([f"{str(row[key]):>8}" for key in columns if key in row] + rates))
+        print("  ".join(f"{str(row[key]):>8}" for key in columns if key in row))
 
 
 def parse(arguments):
@@ -280,7 +278,7 @@ def parse(arguments):
     parser.add_argument("--work", type=pathlib.Path, default="lumi-bench", help="builds and fields, kept [lumi-bench]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "baker/scenes/product.obj", help="[product.obj]")
     parser.add_argument("--field", type=pathlib.Path, help="a surface field to draw alone, in place of the scene's; with see-through parts, gloss "
-                        "maps or light states, of which one shines half, there are neither rates nor accuracy")
+                        "maps or light states, of which one shines half, there is no accuracy")
     parser.add_argument("--origins", type=int, default=1024, help="M of the baked field [1024]")
     parser.add_argument("--directions", type=int, default=2048, help="N of the baked field [2048]")
     parser.add_argument("--spp", type=int, default=4, help="light paths a texel [4]")

@@ -16,14 +16,6 @@ TEST_CASE("the slower of drawing and sending limits the frame rate")
     CHECK(frames_per_second(chip, 5'000'000, 200'000) == Approx(5));  // and as long again in flash
 }
 
-TEST_CASE("two cores share what comes after the preparing, and wait for flash as long as one")
-{
-    const Chip chip = {"x", "X", "m4", 100, 2.0, {64, 2, 8}, 500, "", 2};
-    CHECK(frames_per_second_of_two(chip, 0, 10'000'000, 0) == Approx(10));
-    CHECK(frames_per_second_of_two(chip, 5'000'000, 10'000'000, 0) == Approx(5));
-    CHECK(frames_per_second_of_two(chip, 0, 10'000'000, 200'000) == Approx(5));
-}
-
 TEST_CASE("a pace is a part, with or without a rate")
 {
     const auto pace = parse_pace("rp2040@12.5fps");

@@ -108,11 +108,6 @@ double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misse
     return std::min(1 / (computing + waiting), display_frames_per_second(pixels));
 }
 
-double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses)
-{
-    return frames_per_second(chip, preparing + drawing / 2, misses);
-}
-
 namespace
 {
 
@@ -137,22 +132,21 @@ void CacheModel::touch(uint32_t line)
     auto found = std::find(set, end, line);
     if (found == end) {
         ++misses_;
-        touched_.insert(line);
         found = end - 1;
     }
     std::copy_backward(set, found, found + 1);
     *set = line;
 }
 
-AllTraffic traffic_of(const std::vector<Read>& reads)
+Misses misses_by_chip(const std::vector<Read>& reads)
 {
-    AllTraffic traffic;
-    for (size_t i = 0; i < traffic.size(); ++i) {
+    Misses misses;
+    for (size_t i = 0; i < misses.size(); ++i) {
         CacheModel cache(kChipList[i].cache);
         for (const Read& read : reads) cache.read(read);
-        traffic[i] = {cache.lines_touched(), cache.misses()};
+        misses[i] = cache.misses();
     }
-    return traffic;
+    return misses;
 }
 
 }  // namespace lumi::planner

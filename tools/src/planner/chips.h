@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 namespace lumi::planner
@@ -21,7 +20,7 @@ struct CacheShape {
 };
 
 struct Chip {
-    const char* key;    // in JSON keys: lines_<key>, misses_<key>
+    const char* key;    // in JSON keys: misses_<key>
     const char* title;  // people call it so
     const char* core;   // whose code is counted for it
     double clock_mhz;
@@ -54,10 +53,6 @@ constexpr double display_frames_per_second(double pixels)
 // Whichever of drawing and sending takes longer limits the rate.
 double frames_per_second(const Chip& chip, uint64_t instructions, uint64_t misses, double pixels = kUsualPixels);
 
-// Where two cores draw alternate stripes. `preparing`: instructions until the frame is prepared, by one of them or by
-// both; `drawing`: those of all stripes. They share cache and flash, so they wait as long as one does.
-double frames_per_second_of_two(const Chip& chip, uint64_t preparing, uint64_t drawing, uint64_t misses);
-
 // A set-associative cache with least-recently-used replacement, fed with the addresses that a renderer reads.
 
 struct Read {
@@ -73,23 +68,17 @@ public:
     void read(const Read& read);
 
     uint64_t misses() const { return misses_; }
-    // Different lines read so far.
-    size_t lines_touched() const { return touched_.size(); }
 
 private:
     void touch(uint32_t line);
 
     CacheShape shape_;
     std::vector<uint32_t> lines_;  // per set, most recently used first
-    std::unordered_set<uint32_t> touched_;
     uint64_t misses_ = 0;
 };
 
-struct Traffic {
-    uint64_t lines = 0, misses = 0;
-};
 // The reads go through the caches of kChipList.
-using AllTraffic = std::array<Traffic, kChips>;
-AllTraffic traffic_of(const std::vector<Read>& reads);
+using Misses = std::array<uint64_t, kChips>;
+Misses misses_by_chip(const std::vector<Read>& reads);
 
 }  // namespace lumi::planner

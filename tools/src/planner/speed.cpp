@@ -172,12 +172,12 @@ std::vector<PartRate> chord_rates(const Field& field, Mode mode, int32_t span_px
 {
     const ChordFrame frame = frame_of(field, mode, is_drawn_by_spans(field, mode, span_px) ? span_px : 0,
                                       camera_of_generic_view(screen), screen.stripe_rows());
-    const AllTraffic traffic = traffic_of(frame.reads);
+    const Misses misses = misses_by_chip(frame.reads);
     std::vector<PartRate> rates;
     for (size_t k = 0; k < kChips; ++k) {
         const Chip& chip = kChipList[k];
         const double instructions = instructions_of(chip.core, frame.work);
-        const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), traffic[k].misses,
+        const double rate = frames_per_second(chip, static_cast<uint64_t>(instructions), misses[k],
                                               1.0 * screen.width_px * screen.height_px);
         rates.push_back({&chip, rate, rate, instructions});
     }

@@ -7,7 +7,6 @@
 
 #include "bench/host_renderer.h"
 #include "bench/judge.h"
-#include "bench/surface_reads.h"
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "files/field_report.h"
@@ -27,8 +26,8 @@ namespace
 
 struct FrameFacts {
     Accuracy accuracy;
-    planner::AllTraffic traffic;
     uint32_t crc = 0;
+    planner::Misses misses = {};  // of chord fields
 };
 
 // As the boards hold it.
@@ -93,7 +92,8 @@ FrameFacts chord_facts(Judge& judge, const tools::FieldFile& file, const std::st
     if (make_view_camera(view, camera) != CameraError::none)
         throw std::logic_error("a view of the bench has no camera");
     const HostFrame frame = draw_on_host(mode, span, file.field(), file.bytes(), camera);
-    return {judge.judge(mode, file.field(), view, frame.picture), planner::traffic_of(frame.reads), frame.rgb565_crc};
+    return {judge.judge(mode, file.field(), view, frame.picture), frame.rgb565_crc,
+            planner::misses_by_chip(frame.reads)};
 }
 
 // CRC of a frame of a surface field; `pixel` is rgb565 or rgb888.
@@ -103,13 +103,12 @@ uint32_t surface_crc(const tools::FieldFile& file, const NamedSurfaceMode& mode,
     return crc_of(drawn_as(file, mode.mode, pixel, view), pixel);
 }
 
-// Facts about it. The double-precision picture and the reads have opaque parts alone.
+// Facts about it. The double-precision picture has opaque parts alone.
 FrameFacts surface_facts(const tools::FieldFile& file, const NamedSurfaceMode& mode, const std::string& pixel,
                          const View& view)
 {
     const tools::Picture drawn = drawn_as(file, mode.mode, pixel, view);
-    return {judge_surface(exact_surface(file, view, mode.mode), drawn),
-            planner::traffic_of(reads_of(file, view, mode.mode)), crc_of(drawn, pixel)};
+    return {judge_surface(exact_surface(file, view, mode.mode), drawn), crc_of(drawn, pixel)};
 }
 
 }  // namespace
@@ -139,11 +138,6 @@ void put_facts(Json& row, const bench::FrameFacts& facts)
     row["psnr_all_db"] = hundredths(facts.accuracy.psnr_all_db);
     row["worst_pixel"] = facts.accuracy.worst_pixel;
     row["crc"] = facts.crc;
-    for (size_t i = 0; i < planner::kChips; ++i) {
-        const std::string key = planner::kChipList[i].key;
-        row["lines_" + key] = facts.traffic[i].lines;
-        row["misses_" + key] = facts.traffic[i].misses;
-    }
 }
 
 void add_chord_rows(const tools::FieldFile& file, const Options& options, bench::Judge& judge, const bench::View& view,
@@ -157,7 +151,10 @@ void add_chord_rows(const tools::FieldFile& file, const Options& options, bench:
                         {"mode", mode},
                         {"span", span},
                         {"view", view.name}};
-            put_facts(row, bench::chord_facts(judge, file, mode, span, view));
+            const bench::FrameFacts facts = bench::chord_facts(judge, file, mode, span, view);
+            put_facts(row, facts);
+            for (size_t i = 0; i < planner::kChips; ++i)
+                row["misses_" + std::string(planner::kChipList[i].key)] = facts.misses[i];
             rows.push_back(row);
         }
     }
@@ -210,7 +207,7 @@ void run(const Options& options)
 void add_frames(CLI::App& lab)
 {
     auto options = std::make_shared<Options>();
-    CLI::App* command = lab.add_subcommand("frames", "Tell CRC, accuracy and flash lines of the bench's frames");
+    CLI::App* command = lab.add_subcommand("frames", "Tell CRC, accuracy and flash misses of the bench's frames");
     command->add_option("FIELD", options->fields, "Fields; chord fields of one pair of lattices")->required();
     command->add_option("--mode", options->modes, "Modes of either layout")->delimiter(',')->required();
     command->add_option("--span", options->spans, "Spans of chord fields, 0 for exact drawing")->delimiter(',');
