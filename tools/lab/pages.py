@@ -25,7 +25,7 @@ from figures.table import ROOT, Table, commits, put, save, shown
 
 TABLES = {
     **{f"tradeoff {name}": (lambda name=name: bench.table(name)) for name in (
-        "glance", "cost", "split", "parts", "surface_cost", "surface_split", "baselines")},
+        "glance", "cost", "split", "parts", "surface_cost", "surface_split")},
     "quality": trade.quality,
     "quality first": trade.first_table,
     "beside": trade.beside,

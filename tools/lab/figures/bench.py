@@ -97,15 +97,6 @@ class Tradeoff:
             lambda core, mode, pixel: [cell(self.surface_row(core, mode, pixel), lambda row: decimal(row[part]))
                                        for part in SPLIT], ("m4", "m0plus"))
 
-    def baselines(self):
-        def ours(mode, core):
-            row = self.chord_row(core, mode, "rgb565", 16)
-            return row and {**row, "method": f"this library, {mode}, S = 16"}
-        rows = load("once")["baselines"] + [ours(mode, core) for mode in ("nearest", "linear") for core in CORES]
-        return Table(["method", "core", "instructions a covered pixel", "M instructions a frame", "code, bytes"],
-                     [[row["method"], row["core"], per_pixel()(row), decimal(row["instructions_per_frame"] / 1e6, 2),
-                       row["code_bytes"]] for row in rows if row])
-
 
 def table(name):
     return getattr(Tradeoff(load("tradeoff")), name)()

@@ -6,7 +6,6 @@ Writes small scenes that show one property each, for measurements and soaks. Eve
   pane       a red cube behind a pane
   bottle     a bottle of tinted glass with two sides, a label, a cap and something in it
   car        a body with windows, and seats behind them
-  cut_outs   a sheet with holes that a picture cuts
   texture    a ball on a block with a picture
   volume     a ball on a block, in fog
 """
@@ -20,7 +19,7 @@ from png import encode16
 
 PLAIN = "Ks 0.5 0.5 0.5\nNi 1.5\n"
 GLASS = "Ks 0.5 0.5 0.5\nNi 1.5\nillum 2\n"
-WHITE, BLACK, RED, BLUE = (255, 255, 255), (0, 0, 0), (180, 60, 40), (40, 80, 170)
+RED, BLUE = (180, 60, 40), (40, 80, 170)
 PICTURE_PX = 64
 SKY = {"zenith": 1.0, "horizon": 0.6, "nadir": 0.2}
 
@@ -180,23 +179,6 @@ def thing():
     return obj
 
 
-def sheet():
-    obj, cells = Obj("sheet"), 24
-    obj.material("sheet", True)
-
-    def place(i, j):
-        x, z = 1.6 * i / cells - 0.8, 1.6 * j / cells - 0.8
-        return x, 0, z
-
-    corners = [[(obj.vertex(place(i, j)), obj.coordinate(i / cells, j / cells)) for i in range(cells + 1)]
-               for j in range(cells + 1)]
-    for j in range(cells):
-        for i in range(cells):
-            quad = corners[j][i], corners[j + 1][i], corners[j + 1][i + 1], corners[j][i + 1]
-            obj.face([c[0] for c in quad], [c[1] for c in quad])
-    return obj
-
-
 def write_fog(path):
     """NIfTI-1: 16³ values, denser in the middle."""
     side, half = 16, 0.85
@@ -225,8 +207,6 @@ def write_pictures(folder):
     def picture(of):
         return [[of(x, y) for x in range(PICTURE_PX)] for y in range(PICTURE_PX)]
     folder.joinpath("colours.png").write_bytes(encode16([RED, BLUE], picture(lambda x, y: (x // 8 + y // 8) % 2)))
-    folder.joinpath("holes.png").write_bytes(encode16([BLACK, WHITE], picture(
-        lambda x, y: int((x % 32 - 15.5) ** 2 + (y % 32 - 15.5) ** 2 > 90))))
     write_fog(folder / "fog.nii")
 
 
@@ -239,7 +219,6 @@ def scenes():
     """For each scene its name, what `Obj` wrote, its materials and more members of its JSON."""
     for make in (pane, bottle, car):
         yield make.__name__, *make(), {}
-    yield "cut_outs", sheet(), "newmtl sheet\nKd 0.5 0.6 0.3\nKs 0 0 0\nmap_d holes.png\n", {"environment": SKY}
     yield "texture", thing(), MATT + "map_Kd colours.png\n", {"environment": SKY}
     yield "volume", thing(), MATT, {"environment": SKY, "volume": FOG}
 
