@@ -182,7 +182,14 @@ TEST_CASE("glTF: metallic and roughness are those of a scene file, the body show
     CHECK(plastic.specular);
     CHECK(plastic.index == Approx(1.5));
     CHECK(plastic.alpha == Approx(0.25));
+    CHECK(plastic.rough_body);
     check_gltf(plastic.base, Rgb{0.5f, 0.25f, 1} * 0.96f, 1e-6f);
+    const Material half = gltf_material(
+        "\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,1],\"metallicFactor\":0.5,"
+        "\"roughnessFactor\":0.75}");
+    CHECK(half.metalness == 0.5f);
+    CHECK(half.alpha == Approx(0.5625));
+    check_gltf(half.base, Rgb{0.5f, 0.25f, 1} * 0.98f, 1e-6f);
     const Material metal = gltf_material("\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,0.25,1,1]}");
     CHECK(metal.metalness == 1);
     CHECK(metal.alpha == 1);
