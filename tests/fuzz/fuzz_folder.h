@@ -1,33 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A folder for the files that a fuzz target makes of its input, removed at the end. TMPDIR says where it lies.
+// A folder for the files that a fuzz target makes of its input, removed at the end.
 #pragma once
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <string>
+
+#include "support/scratch_folder.h"
 
 namespace lumi::fuzz
 {
 
-class FuzzFolder
+class FuzzFolder : public baker::testing::ScratchFolder
 {
 public:
-    FuzzFolder() : path_(std::filesystem::temp_directory_path() / ("lumi-fuzz-" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(path_);
-    }
-    ~FuzzFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    FuzzFolder(const FuzzFolder&) = delete;
-    FuzzFolder& operator=(const FuzzFolder&) = delete;
-
     // Leaves a file as it is that has these bytes already: most changes of an input of two files change one of them.
     const std::filesystem::path& write(const char* name, const std::string& bytes)
     {
@@ -36,7 +23,6 @@ public:
         if (!file.is_written || file.bytes != bytes) put(file, bytes);
         return file.path;
     }
-    std::filesystem::path at(const char* name) const { return path_ / name; }
 
 private:
     struct File {
@@ -55,7 +41,6 @@ private:
         file.is_written = true;
     }
 
-    std::filesystem::path path_;
     std::map<std::string, File> files_;
 };
 

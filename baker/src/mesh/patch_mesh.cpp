@@ -186,11 +186,6 @@ Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers
     return triangles_of(mesh, mesh.opaque_patches(), static_cast<uint32_t>(mesh.patches.size()), numbers);
 }
 
-Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers)
-{
-    return triangles_of(mesh, 0, static_cast<uint32_t>(mesh.patches.size()), numbers);
-}
-
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh)
 {
     std::vector<uint8_t> viewable(mesh.positions.size(), 0);

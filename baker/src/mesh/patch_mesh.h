@@ -79,7 +79,6 @@ PatchMesh assembled(const Mesh& shape, float crease_cosine);
 Mesh opaque_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 Mesh triangles_of(const PatchMesh& mesh, uint32_t owner, std::vector<uint32_t>& numbers);  // opaque ones
 Mesh see_through_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
-Mesh all_triangles(const PatchMesh& mesh, std::vector<uint32_t>& numbers);
 // By vertex: whether it can have a view table. What see-through patches add depends on the view where they mirror.
 std::vector<uint8_t> viewable_vertices(const PatchMesh& mesh);
 // So many vertices get one at most: all that can, or of a matt mesh some for each state of the light.

@@ -320,11 +320,6 @@ size_t Scene::triangle_count() const
     return data_->mesh.triangle_count();
 }
 
-size_t Scene::material_count() const
-{
-    return data_->materials.size();
-}
-
 size_t Scene::light_count() const
 {
     return data_->lights.count();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A folder of its own for one test, removed at the end.
+// A folder of its own for one test, removed at the end. TMPDIR says where it lies.
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
-
-#include <unistd.h>
 
 namespace lumi::baker::testing
 {
@@ -17,10 +17,9 @@ class ScratchFolder
 public:
     ScratchFolder()
     {
-        static int count = 0;
-        path_ = std::filesystem::temp_directory_path() /
-                ("lumi-baker-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
-        std::filesystem::create_directories(path_);
+        std::string name = (std::filesystem::temp_directory_path() / "lumi-test-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder at " + name);
+        path_ = name;
     }
     ~ScratchFolder()
     {
@@ -37,12 +36,13 @@ public:
         return path_ / name;
     }
     std::filesystem::path at(const std::string& name) const { return path_ / name; }
+    // Leftover temporary files count.
     size_t file_count() const
     {
         return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
     }
 
-private:
+protected:
     std::filesystem::path path_;
 };
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/picture_file.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include "draw/draw_surface.h"
 #include "image/picture_file.h"
 #include "lumi/host/png.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "support/program.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"

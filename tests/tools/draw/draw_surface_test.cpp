@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lumi/twin/surface_picture.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "quality/references.h"
 #include "support/small_surface.h"
 

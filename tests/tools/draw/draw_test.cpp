@@ -5,7 +5,7 @@
 
 #include "lumi/chord/render.h"
 #include "lumi/host/camera.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "draw/draw_surface.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "support/small_surface.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "metrics/ssim.h"
+#include "metrics/metrics.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,13 +4,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "metrics/metrics.h"
+
 namespace lumi::tools
 {
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // cos of a wave with (u, v) periods over the plane.
 Plane<double> wave(int width, int height, int u, int v, double amplitude)

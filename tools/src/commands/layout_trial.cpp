@@ -3,7 +3,6 @@
 
 #include "../quality/measured.h"
 #include "files/output_file.h"
-#include "files/temporary_folder.h"
 
 namespace lumi::tools
 {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "lumi/baker/file_guard.h"
@@ -264,6 +264,18 @@ void announce_outputs(const std::vector<std::string>& paths)
         if (!path.empty()) files.emplace_back(path);
     baker::announce_outputs(files);
     for (const fs::path& file : files) require_writable(file.string());
+}
+
+std::filesystem::path new_temporary_folder(const std::string& mend)
+{
+    const char* const named = std::getenv("TMPDIR");  // an empty one is none, as for mktemp(1)
+    const fs::path parent = named == nullptr || *named == 0 ? "/tmp" : named;
+    std::error_code ignored;
+    if (!fs::is_directory(parent, ignored)) throw Failure(parent.string(), "is no folder for temporary files", mend);
+    std::string pattern = (parent / "lumi-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+        throw Failure(parent.string(), std::string("takes no temporary folder (") + std::strerror(errno) + ")", mend);
+    return pattern;
 }
 
 }  // namespace lumi::tools

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -62,5 +63,8 @@ void require_writable(const std::string& path);
 // All that a command will write, before it reads anything; empty names are left out. Throws Failure where one is not
 // writable, FileClash where two are one file. From then on it is an error to read one of them.
 void announce_outputs(const std::vector<std::string>& paths);
+
+// A new folder for temporary files; others can neither read it nor put a link in its place. Throws Failure.
+std::filesystem::path new_temporary_folder(const std::string& mend);
 
 }  // namespace lumi::tools

@@ -8,7 +8,7 @@
 #include "filter/drawing.h"
 #include "lumi/baker/plug_in.h"
 #include "lumi/baker/progress.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "terminal/failure.h"
 
 namespace lumi::filter
@@ -16,8 +16,6 @@ namespace lumi::filter
 
 namespace
 {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Planes part_of(const Planes& planes, int x, int y, int width, int height)
 {
@@ -85,7 +83,7 @@ private:
     double epoch(double time)
     {
         const double rate =
-            settings_.last_rate + (settings_.first_rate - settings_.last_rate) * (1 + std::cos(kPi * time)) / 2;
+            settings_.last_rate + (settings_.first_rate - settings_.last_rate) * (1 + std::cos(tools::kPi * time)) / 2;
         std::vector<size_t> order(training_.size());
         for (size_t i = 0; i < order.size(); ++i) order[i] = i;
         for (size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_() % i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "metrics/cw_ssim.h"
+#include "metrics/metrics.h"
 
 #include <algorithm>
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "metrics/flip.h"
+#include "metrics/metrics.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
-
-#include "metrics/pi.h"
 
 namespace lumi::tools
 {

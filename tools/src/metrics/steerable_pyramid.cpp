@@ -5,7 +5,7 @@
 #include <cmath>
 #include <kissfft/kissfft.hh>
 
-#include "metrics/pi.h"
+#include "metrics/metrics.h"
 
 namespace lumi::tools
 {

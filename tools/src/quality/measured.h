@@ -12,7 +12,7 @@
 #include "draw/draw_surface.h"
 #include "files/field_file.h"
 #include "lumi/baker/reference.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "quality/references.h"
 
 namespace lumi::quality

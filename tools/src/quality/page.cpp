@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "image/picture_file.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 #include "terminal/text.h"
 
 namespace lumi::quality

@@ -12,10 +12,7 @@
 #include "image/picture_file.h"
 #include "lumi/baker/picture_file.h"
 #include "lumi/host/png.h"
-#include "metrics/cw_ssim.h"
-#include "metrics/flip.h"
-#include "metrics/psnr.h"
-#include "metrics/ssim.h"
+#include "metrics/metrics.h"
 #include "terminal/failure.h"
 
 namespace lumi::quality
@@ -26,7 +23,6 @@ namespace
 
 constexpr double kNearest = 2.5, kFarthest = 4;
 constexpr double kTurnDeg = 77, kDegrees = 360;
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kGolden = 1.61803398874989484820;
 
 double fraction(double v)
@@ -36,7 +32,7 @@ double fraction(double v)
 
 double degrees(double radians)
 {
-    return radians * kDegrees / (2 * kPi);
+    return radians * kDegrees / (2 * tools::kPi);
 }
 
 double elevation_deg(ViewSet set, int k, int count, double cap)

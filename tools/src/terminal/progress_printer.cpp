@@ -107,11 +107,6 @@ baker::ProgressCallback watch(ProgressPrinter& printer)
     };
 }
 
-baker::ProgressCallback watch_interrupt()
-{
-    return [](const baker::Progress&) { return !interrupt_flag().load(std::memory_order_relaxed); };
-}
-
 Teller::Teller(std::mutex& mutex, double first_seconds, std::function<double()> tell)
     : mutex_(mutex), tell_(std::move(tell))
 {
@@ -217,21 +212,12 @@ std::string progress_json(const baker::Progress& progress, const char* state)
 
 void JsonProgress::print(const baker::Progress& progress)
 {
-    last_ = progress;
     const bool all = progress.rays_done >= progress.rays_total;
     if (all ? said_all_ : progress.elapsed_seconds < next_line_seconds_) return;
     std::fprintf(stream_, "%s\n", progress_json(progress, state_).c_str());
     std::fflush(stream_);
     said_all_ = all;
     next_line_seconds_ = progress.elapsed_seconds + kSecondsBetweenObjects;
-}
-
-baker::ProgressCallback watch(JsonProgress& printer)
-{
-    return [&printer](const baker::Progress& progress) {
-        printer.print(progress);
-        return !interrupt_flag().load(std::memory_order_relaxed);
-    };
 }
 
 }  // namespace lumi::tools

@@ -56,8 +56,6 @@ private:
 
 // A callback that prints to stderr through `printer` and cancels on Ctrl-C. Keeps a reference.
 baker::ProgressCallback watch(ProgressPrinter& printer);
-// Only asks for Ctrl-C.
-baker::ProgressCallback watch_interrupt();
 
 // One share and one time left of works that follow each other and tell only their own: the share is that of the time.
 // It never goes back.
@@ -139,18 +137,12 @@ public:
     explicit JsonProgress(std::FILE* stream, const char* state = "baking") : stream_(stream), state_(state) {}
 
     void print(const baker::Progress& progress);
-    // Returns the last report, for a closing line of the caller's.
-    const baker::Progress& last() const { return last_; }
 
 private:
     std::FILE* stream_;
     const char* state_;
-    baker::Progress last_;
     double next_line_seconds_ = 0;
     bool said_all_ = false;
 };
-
-// A callback that prints through `printer` and cancels on Ctrl-C. Keeps a reference.
-baker::ProgressCallback watch(JsonProgress& printer);
 
 }  // namespace lumi::tools

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "files/output_file.h"
-#include "files/temporary_folder.h"
 #include "image/picture_file.h"
 #include "lumi/baker/file_guard.h"
 #include "terminal/failure.h"

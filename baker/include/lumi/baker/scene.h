@@ -150,7 +150,6 @@ public:
     UpAxis up() const;
 
     size_t triangle_count() const;
-    size_t material_count() const;
     size_t light_count() const;  // emissive triangles and the extra lights of a scene file
     // Choices about pose and light that files and options leave open: a sentence each.
     const std::vector<std::string>& notes() const;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "lumi/chord/detail/sphere.h"
-#include "metrics/psnr.h"
+#include "metrics/metrics.h"
 
 namespace lumi::bench
 {

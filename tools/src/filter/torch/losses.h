@@ -7,7 +7,7 @@
 namespace lumi::filter
 {
 
-// The mean of 1 - SSIM of the luma over the windows around covered pixels (metrics/ssim.h).
+// The mean of 1 - SSIM of the luma over the windows around covered pixels (metrics/metrics.h).
 inline Tensor unlikeness(const Tensor& a, const Tensor& b, const Tensor& where)
 {
     constexpr int64_t kWindow = 11;
