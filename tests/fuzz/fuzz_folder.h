@@ -5,7 +5,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <map>
+#include <string_view>
 
 #include "support/scratch_folder.h"
 
@@ -43,5 +45,13 @@ private:
 
     std::map<std::string, File> files_;
 };
+
+// What is refused is told how to mend it.
+inline void check_message(const std::exception& refused)
+{
+    if (std::string_view(refused.what()).find("; ") != std::string_view::npos) return;
+    std::fprintf(stderr, "a message without a mend: %s\n", refused.what());
+    std::abort();
+}
 
 }  // namespace lumi::fuzz

@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     std::vector<std::string> warnings;
     try {
         lumi::baker::read_obj(folder.write("s.obj", bytes.substr(0, end)), warnings);
-    } catch (const lumi::baker::SceneError&) {
+    } catch (const lumi::baker::SceneError& refused) {
+        lumi::fuzz::check_message(refused);
     }
     return 0;
 }

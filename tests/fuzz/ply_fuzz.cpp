@@ -9,7 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     std::vector<std::string> warnings;
     try {
         lumi::baker::read_ply(folder.write("m.ply", std::string(reinterpret_cast<const char*>(data), size)), warnings);
-    } catch (const lumi::baker::SceneError&) {
+    } catch (const lumi::baker::SceneError& refused) {
+        lumi::fuzz::check_message(refused);
     }
     return 0;
 }

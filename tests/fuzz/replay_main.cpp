@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs a fuzz target over the files of the folders that the command line names, without a fuzzer: any compiler will do.
-// Each file is also run with some bytes changed, the same ones every time; those of folders after --as-is are not: what
-// was found may be slow.
+// Each file is also run with some bytes changed, cut off or put between others, the same ones every time; those of
+// folders after --as-is are not: what was found may be slow.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -24,11 +25,29 @@ std::vector<uint8_t> bytes_of(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+// What texts take badly.
+constexpr std::string_view kWords[] = {"-1", "1e999", "nan", "1e-45", "\"\"", "null", "/*", "99999999999999999999"};
+
+void change(std::vector<uint8_t>& bytes, std::minstd_rand& random)
+{
+    const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(random() % bytes.size());
+    const uint32_t kind = random() / 256 % 16;
+    if (kind == 0) {
+        bytes.erase(at, bytes.end());
+    } else if (kind <= 2) {
+        bytes.erase(at, at + std::min<std::ptrdiff_t>(1 + static_cast<std::ptrdiff_t>(random() % 8), bytes.end() - at));
+    } else if (kind <= 5) {
+        const std::string_view word = kWords[random() % std::size(kWords)];
+        bytes.insert(at, word.begin(), word.end());
+    } else {
+        *at = static_cast<uint8_t>(random() >> 8);
+    }
+}
+
 void run_changed(std::vector<uint8_t> bytes, uint32_t seed)
 {
     std::minstd_rand random(seed + 1);
-    for (uint32_t k = 1 + random() % 8; k > 0 && !bytes.empty(); --k)
-        bytes[random() % bytes.size()] = static_cast<uint8_t>(random() >> 8);
+    for (uint32_t k = 1 + random() % 8; k > 0 && !bytes.empty(); --k) change(bytes, random);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
 }
 
