@@ -32,25 +32,17 @@ void check_square(const SceneParts& parts, double margin)
     CHECK(static_cast<double>(parts.mesh.area(0) + parts.mesh.area(1)) == Approx(1).margin(margin));
 }
 
-// Every truncation of the packed bytes and many changed ones give a model or a message.
+// Every truncation of the packed bytes gives a model or a message.
 template <class Wrap>
-void check_damage(const std::string& packed, const Wrap& wrap)
+void check_truncations(const std::string& packed, const Wrap& wrap)
 {
     const ScratchFolder folder;
-    const auto try_reading = [&](const std::string& bytes) {
+    for (size_t k = 0; k < packed.size(); ++k) {
         std::vector<std::string> warnings;
         try {
-            read_gltf(folder.write("m.glb", wrap(bytes)), warnings);
+            read_gltf(folder.write("m.glb", wrap(packed.substr(0, k))), warnings);
         } catch (const SceneError& e) {
             CHECK_THAT(e.what(), Catch::Contains("; "));
-        }
-    };
-    for (size_t k = 0; k < packed.size(); ++k) {
-        try_reading(packed.substr(0, k));
-        for (const int change : {0x01, 0x80, 0xFF}) {
-            std::string changed = packed;
-            changed[k] = static_cast<char>(changed[k] ^ change);
-            try_reading(changed);
         }
     }
 }
@@ -121,11 +113,11 @@ TEST_CASE("glTF: WebP pictures are read, with their alpha")
     CHECK(parts.textures[0].rgb[0] == 255);
 }
 
-TEST_CASE("glTF: damaged Draco and WebP bytes give a model or a message")
+TEST_CASE("glTF: Draco and WebP bytes that are cut off give a model or a message")
 {
-    check_damage(
+    check_truncations(
         testing::draco_square(), [](const std::string& b) { return testing::draco_gltf(b + " ").glb(); });
-    check_damage(webp_picture(), [](const std::string& b) { return webp_glb(b + " "); });
+    check_truncations(webp_picture(), [](const std::string& b) { return webp_glb(b + " "); });
 }
 
 TEST_CASE("glTF: compressed meshes that claim more than their bytes can hold are refused")
