@@ -196,6 +196,7 @@ TEST_CASE("a failure ends with 1, names file, problem and mend, and leaves earli
         {{"inspect", folder / "short.lumi"}, "short.lumi: "},
         {{"inspect", folder / "damaged.lumi", "--verify"}, "damaged.lumi: the texel section"},
         {{"embed", folder / "damaged.lumi", "-o", asm_out}, "damaged.lumi: the texel section"},
+        {{"report", kScene, folder / "damaged.lumi"}, "damaged.lumi: the texel section"},
     };
     const std::string earlier = "/* Written by `lumi embed`. */";
     for (const std::string& file : {out, asm_out, baked}) test::write_content(file, earlier);

@@ -245,8 +245,10 @@ TEST_CASE("header and inspect name the view of exactly this field")
         CHECK_THAT(lumi({"inspect", folder / (name + ".lumi")}).out,
                    Catch::Contains("drawn by      lumi::View<" + drawing + ">, lumi::Screen<240, 240, 16>>\n"));
         REQUIRE(lumi({"embed", folder / (name + ".lumi"), "-o", folder / (name + ".bin")}).code == 0);
+        const std::string opener = drawing.find("Surface") == std::string::npos ? "open_field" : "open_surface";
         CHECK_THAT(test::content_of(folder / (name + ".h")),
-                   Catch::Contains("using " + name + "_view = " + view + ";"));
+                   Catch::Contains("using " + name + "_view = " + view + ";") &&
+                       Catch::Contains("lumi::" + opener + "(" + name + ", " + name + "_size(), field)"));
     };
     check("chord", "lumi::ChordDrawing<lumi::TexelLuma8", "Reconstruction");
     check("few", "lumi::ExactChordDrawing<lumi::TexelRgb888", "Reconstruction");

@@ -152,7 +152,7 @@ TEST_CASE("own files: a clash ends a bake before its work begins")
     check_input_kept("report s.obj f.lumi -o texture.html" + endless, "texture.html");
 }
 
-TEST_CASE("own files: merge keeps its shards")
+TEST_CASE("own files: merge keeps its shards, and names those that are missing")
 {
     const Workshop shop;
     for (const char* shard : {"1/2", "2/2"})
@@ -172,6 +172,10 @@ TEST_CASE("own files: merge keeps its shards")
             Catch::StartsWith("lumi: " + file + ": ") && Catch::EndsWith("; choose another name for the output\n"));
         CHECK((shop.entries() == before));
     }
+    check_refused(shop.run("merge none.shard g.1-of-2.shard -o n"), 1,
+                  Catch::StartsWith("lumi: none.shard: cannot be opened") &&
+                      Catch::Contains("\nlumi: shard 2 of 2 is missing; bake it with --shard 2/2"));
+    CHECK_THAT(done(shop.run("merge g.2-of-2.shard g.1-of-2.shard -o n")).out, Catch::Contains(" rays from 2 shards"));
 }
 
 TEST_CASE("own files: render keeps its field, also from views and the sheet of a turntable")

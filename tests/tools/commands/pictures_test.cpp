@@ -56,29 +56,6 @@ Picture upside_down(const Picture& picture)
 
 }  // namespace
 
-TEST_CASE("a baked field of every texel format renders in every mode")
-{
-    const test::TemporaryFolder folder;
-    for (const std::string texel : {"rgb888", "rgb565", "palette8", "luma8"}) {
-        bake_picture_field(folder / "f.lumi",
-                           {"--origins", "48", "--directions", "64", "--spp", "1", "--texel", texel});
-        CHECK(nlohmann::json::parse(lumi({"inspect", folder / "f.lumi", "--json", "--verify"}).out)["texel_format"] ==
-              texel);
-        for (const std::string mode : {"nearest", "linear", "paper"}) {
-            INFO(texel << " " << mode);
-            draw({"render", folder / "f.lumi", "-o", folder / "o.png", "--mode", mode, "--size", "40x30", "--span",
-                  mode == "paper" ? "0" : "4", "--background", "00ff00"});
-            const Picture picture = read_png(folder / "o.png");
-            REQUIRE(picture.width_px == 40);
-            REQUIRE(picture.height_px == 30);
-            const uint8_t* corner = picture.pixel(0, 0);
-            CHECK((corner[0] == 0 && corner[1] == 255 && corner[2] == 0));
-            CHECK(picture.rgb != Picture(40, 30, {0, 255, 0}).rgb);
-            std::filesystem::remove(folder / "o.png");
-        }
-    }
-}
-
 TEST_CASE("render and reference show the same view, from wherever the eye is and whichever axis is up", "[statistics]")
 {
     // A coarse field is blurred, but a mirrored, tilted or turned view would be much worse than that: by 2 dB at least.

@@ -178,30 +178,6 @@ TEST_CASE(
 }
 #endif
 
-TEST_CASE("shards baked by separate calls merge to the bytes of one bake, --restart bakes anew")
-{
-    const test::TemporaryFolder folder;
-    REQUIRE(lumi(bake(folder / "one.lumi")).code == 0);
-    Arguments merge = {"merge", "-o", folder / "merged.lumi"};
-    for (const char* shard : {"1/3", "2/3", "3/3"}) {
-        const test::Outcome outcome = done(lumi(bake(folder / "f.lumi", {"--shard", shard})));
-        CHECK_THAT(outcome.out, Catch::Contains("of-3.shard: "));
-        merge.push_back(folder / "f.lumi." + shard[0] + "-of-3.shard");
-    }
-    CHECK(folder.entries() == 4);
-    const Outcome merged = lumi(merge);
-    CHECK_THAT(merged.out, Catch::Contains("60 x 80 rays from 3 shards"));
-    CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
-
-    test::write_content(merge.back(), content_of(merge.back()).substr(0, 500));
-    std::filesystem::remove(folder / "f.lumi.2-of-3.shard");
-    check_refused(lumi(merge), 1,
-                  Catch::Contains("2-of-3.shard: cannot be opened") && Catch::Contains("3-of-3.shard: ") &&
-                      Catch::Contains("rows are missing or damaged") &&
-                      Catch::Contains("lumi: shard 2 of 3 is missing; bake it with --shard 2/3"));
-    CHECK(content_of(folder / "merged.lumi") == content_of(folder / "one.lumi"));
-}
-
 TEST_CASE("json progress writes nothing but JSON to stdout, and ends with what was done")
 {
     const test::TemporaryFolder folder;

@@ -104,14 +104,6 @@ TEST_CASE("render draws over a dark grey gradient, over black where it is told s
     }
 }
 
-TEST_CASE("a turntable of a surface field is drawn")
-{
-    const test::TemporaryFolder folder;
-    done(lumi({"render", write_surface(folder), "-o", folder / "o.png", "--turntable", "3", "--size", "20x16"}));
-    CHECK(read_png(folder / "o-002.png").width_px == 20);
-    CHECK(folder.entries() == 5);
-}
-
 TEST_CASE("render refuses modes of the other kind of field, and names those of its own")
 {
     const test::TemporaryFolder folder;
@@ -146,58 +138,6 @@ TEST_CASE("inspect accounts for every byte of a surface field")
     const std::string text = lumi({"inspect", field}).out;
     for (const char* word : {"surface", "triangles", "view table", "SVTX", "STEX"})
         CHECK_THAT(text, Catch::Contains(word));
-}
-
-TEST_CASE("a damaged texel of a surface field stops render, embed and report")
-{
-    const test::TemporaryFolder folder;
-    std::string bytes = test::small_surface_bytes();
-    char& last = bytes[bytes.size() - detail::format::kSectionAlignment];  // behind it may lie unused bytes
-    last = static_cast<char>(last ^ 1);
-    test::write_content(folder / "d.lumi", bytes);
-    const std::string field = folder / "d.lumi", scene = test::write_cube(folder.path());
-    const std::vector<test::Arguments> calls = {{"render", field, "-o", folder / "o.png"},
-                                                {"embed", field, "-o", folder / "o.S"},
-                                                {"report", scene, field},
-                                                {"inspect", field, "--verify"}};
-    for (const auto& call : calls) check_refused(lumi(call), 1, "the view table section's bytes are damaged (CRC)");
-}
-
-TEST_CASE("embed names the function that opens a surface field")
-{
-    const test::TemporaryFolder folder;
-    REQUIRE(lumi({"embed", write_surface(folder), "-o", folder / "s.S"}).code == 0);
-    CHECK_THAT(test::content_of(folder / "s.h"), Catch::Contains("lumi::open_surface(s, s_size(), field)"));
-    test::write_content(folder / "c.lumi", test::field_bytes({}));
-    REQUIRE(lumi({"embed", folder / "c.lumi", "-o", folder / "c.S"}).code == 0);
-    CHECK_THAT(test::content_of(folder / "c.h"), Catch::Contains("lumi::open_field(c, c_size(), field)"));
-}
-
-TEST_CASE("report measures a surface field and tells how fast parts draw it")
-{
-    const test::TemporaryFolder folder;
-    const std::string scene = test::write_cube(folder.path());
-    const test::Outcome outcome = done(lumi({"report", scene, write_surface(folder), "--count", "1", "--spp", "2",
-                                             "--cache", folder / "cache", "-o", folder / "r.html"}));
-    CHECK_THAT(outcome.out, Catch::Contains("s.lumi: 240 x 240 pixels") && Catch::Contains("; RP2040 "));
-    CHECK_THAT(test::content_of(folder / "r.html"), Catch::Contains("<td>surface<") || Catch::Contains("<td>surface"));
-}
-
-TEST_CASE("inspect --screen: every named part draws finer modes slower, of both kinds of fields")
-{
-    const test::TemporaryFolder folder;
-    test::write_content(folder / "c.lumi", test::field_bytes({100, 120, 100}));  // spans draw it
-    const auto rates_of = [](const std::string& path) {
-        return nlohmann::json::parse(lumi({"inspect", path, "--screen", "240x240", "--json"}).out)["frames_per_second"];
-    };
-    const auto surface = rates_of(write_surface(folder)), chord = rates_of(folder / "c.lumi");
-    for (const char* part : {"rp2040", "rp2350", "stm32f4", "stm32h7", "esp32s3", "nrf52840", "stm32u5", "esp32c3"}) {
-        CHECK(surface["one-sample"][part] >= surface["antialiased"][part]);
-        CHECK(surface["antialiased"][part] >= surface["2x2"][part]);
-        CHECK(surface["2x2"][part] > 0.0);
-        CHECK(chord["nearest"][part] >= chord["linear"][part]);
-        CHECK(chord["linear"][part] > chord["paper"][part]);
-    }
 }
 
 TEST_CASE("inspect --screen --rows --for tells RAM, stack and rates of that screen and part, for people and as JSON")
