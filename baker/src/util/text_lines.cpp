@@ -123,7 +123,10 @@ bool is_utf16(std::string_view text)
 
 std::string at(const Place& place, const std::string& text)
 {
-    return place.file + (place.line ? ":" + std::to_string(place.line) : "") + ": " + text;
+    std::string shown = text;
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+    return place.file + (place.line ? ":" + std::to_string(place.line) : "") + ": " + shown;
 }
 
 std::ifstream open_file(const std::filesystem::path& file)

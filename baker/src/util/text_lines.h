@@ -18,7 +18,8 @@ struct Place {
     uint32_t line = 0;
 };
 
-// Returns "file:line: text".
+// Returns "file:line: text". What terminals obey, or what ends a text, is shown as a question mark: text may quote a
+// file.
 std::string at(const Place& place, const std::string& text);
 
 // Opens a file to read its bytes, and notes it as an input (file_guard.h). Throws SceneError if it is no file, larger

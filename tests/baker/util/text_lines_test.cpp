@@ -65,6 +65,12 @@ TEST_CASE("text lines: numbers are finite or none")
     CHECK_FALSE(parse_integer("99999999999999999999", i));
 }
 
+TEST_CASE("text lines: a message that quotes a file holds nothing that terminals obey, and is told to its end")
+{
+    CHECK(at({"m.ply", 2}, {"the format a\0b\x1b[2Jc; write ascii", 32}) ==
+          "m.ply:2: the format a?b?[2Jc; write ascii");
+}
+
 TEST_CASE("text lines: an unreadable file and a folder are named")
 {
     CHECK_THROWS_WITH(read_text("no/such/file.obj"), Catch::Contains("no/such/file.obj: the file cannot be opened"));
