@@ -250,8 +250,7 @@ TEST_CASE("scene file: members that cannot be are refused with their line")
     check_member_refused("\"exposure\": \"1\"", "must be a number");
     check_member_refused("\"exposure\": 99", "choose it from -20 to 20");
     check_member_refused("\"environment\": -1", "choose it from 0");
-    check_member_refused("\"environment\": \"sunny\"",
-                         "choose one of: studio, gradient, overcast, evening, black");
+    check_member_refused("\"environment\": \"sunny\"", "choose one of: studio, gradient, overcast, evening, black");
     check_member_refused("\"environment\": {\"sky\": \"night\"}", "choose one of: studio, gradient, overcast");
     check_member_refused("\"environment\": [1, 2]", "must be a colour");
     check_member_refused("\"environment\": {\"zenith\": 1}", "has no 'horizon'");
