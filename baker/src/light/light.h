@@ -22,6 +22,13 @@ struct LightSample {
     bool dirac = false;
 };
 
+// Veach's power heuristic with exponent 2: the weight of light that was found by one of two densities.
+inline float power_weight(float own_pdf, float other_pdf)
+{
+    const float ratio = other_pdf / own_pdf;
+    return 1 / (1 + ratio * ratio);
+}
+
 class Light
 {
 public:

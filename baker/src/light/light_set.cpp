@@ -104,9 +104,12 @@ LightSample LightSet::lamp(const Vec3& from, float u_select, const Vec2& u) cons
     return s;
 }
 
-float LightSet::sky_pdf(const Vec3& direction) const
+SkyLight LightSet::sky(const Vec3& direction) const
 {
-    return sky_samples_ > 0 ? sky_samples_ * sky_.pdf(direction) : 0.0f;
+    if (!(sky_samples_ > 0)) return {};
+    SkyLight light = sky_.at(direction);
+    light.pdf *= sky_samples_;
+    return light;
 }
 
 float LightSet::emitter_pdf(uint32_t triangle, const Vec3& direction, float distance) const

@@ -85,8 +85,7 @@ public:
     void add_to(Digest& digest) const;
 
     // Radiance of, and density of sample() for, a ray that leaves the scene, or that hits an emissive triangle.
-    Rgb sky_radiance(const Vec3& direction) const { return sky_.radiance(direction); }
-    float sky_pdf(const Vec3& direction) const;
+    SkyLight sky(const Vec3& direction) const;
     float emitter_pdf(uint32_t triangle, const Vec3& direction, float distance) const;
     // Calls seen(radiance, pdf) for each extra light that lies along the ray before its end.
     template <class Seen>

@@ -41,11 +41,24 @@ double solid_angle(int y, int width, int height)
 SkyPicture::SkyPicture(std::shared_ptr<const RadiancePicture> picture, float turns, float scale)
     : picture_(std::move(picture)), turns_(turns), scale_(scale)
 {
+    const int width = picture_->width;
+    std::vector<double> brightness;
+    double sum = 0;
+    for (int y = 0; y < picture_->height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            brightness.push_back(brightness_of(*picture_, x, y));
+            sum += brightness.back() * solid_angle(y, width, picture_->height);
+        }
+    }
+    brightness_sum_ = static_cast<float>(sum) * scale;
+    const double mean = sum / (4 * static_cast<double>(kPi));
     std::vector<double> rows;
     for (int y = 0; y < picture_->height; ++y) {
         std::vector<double> weights;
-        const double size = solid_angle(y, picture_->width, picture_->height) * static_cast<double>(scale);
-        for (int x = 0; x < picture_->width; ++x) weights.push_back(brightness_of(*picture_, x, y) * size);
+        for (int x = 0; x < width; ++x) {
+            const double own = brightness[static_cast<size_t>(y * width + x)];
+            weights.push_back(std::max(own - mean, 0.0) * solid_angle(y, width, picture_->height));
+        }
         columns_.emplace_back(weights);
         rows.push_back(columns_.back().total());
     }
@@ -61,18 +74,8 @@ Vec2 SkyPicture::place_of(const Vec3& d) const
             down * static_cast<float>(picture_->height)};
 }
 
-Vec3 SkyPicture::direction_of(const Vec2& place) const
+Rgb SkyPicture::radiance(const Vec2& place) const
 {
-    const float right = place.x / static_cast<float>(picture_->width);
-    const float angle = place.y / static_cast<float>(picture_->height) * kPi;
-    const float azimuth = (0.5f - right + turns_) * 2 * kPi;
-    const float across = std::sin(angle);
-    return {across * std::cos(azimuth), across * std::sin(azimuth), std::cos(angle)};
-}
-
-Rgb SkyPicture::radiance(const Vec3& direction) const
-{
-    const Vec2 place = place_of(direction);
     const float x = place.x - 0.5f, y = place.y - 0.5f;
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
@@ -84,24 +87,34 @@ Rgb SkyPicture::radiance(const Vec3& direction) const
     return (row(y0) * (1 - fy) + row(y0 + 1) * fy) * scale_;
 }
 
-float SkyPicture::pdf(const Vec3& direction) const
+float SkyPicture::pdf(size_t x, size_t y, float sine) const
+{
+    if (rows_.empty() || columns_[y].empty()) return 0;
+    // Uniform in angle within a pixel: the density over solid angle falls off with the sine.
+    const float cell = 2 * kPi * kPi * std::max(sine, 1e-6f) / static_cast<float>(picture_->width * picture_->height);
+    return rows_.probability(y) * columns_[y].probability(x) / cell;
+}
+
+SkyLight SkyPicture::at(const Vec3& direction) const
 {
     const Vec2 place = place_of(direction);
     const int x = std::min(static_cast<int>(place.x), picture_->width - 1);
     const int y = std::min(static_cast<int>(place.y), picture_->height - 1);
-    const size_t row = static_cast<size_t>(y);
-    if (columns_[row].empty()) return 0;
-    // Uniform in angle within a pixel: the density over solid angle falls off with the sine.
-    const float sine = std::sqrt(std::max(direction.x * direction.x + direction.y * direction.y, 1e-12f));
-    const float cell = 2 * kPi * kPi * sine / static_cast<float>(picture_->width * picture_->height);
-    return rows_.probability(row) * columns_[row].probability(static_cast<size_t>(x)) / cell;
+    const float sine = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+    return {radiance(place), pdf(static_cast<size_t>(x), static_cast<size_t>(y), sine)};
 }
 
-Vec3 SkyPicture::sample(const Vec2& u) const
+LightSample SkyPicture::sample(const Vec2& u) const
 {
+    if (rows_.empty()) return {};
     const Distribution::Draw row = rows_.draw(u.y);
     const Distribution::Draw column = columns_[row.index].draw(u.x);
-    return direction_of({static_cast<float>(column.index) + column.rest, static_cast<float>(row.index) + row.rest});
+    const Vec2 place = {static_cast<float>(column.index) + column.rest, static_cast<float>(row.index) + row.rest};
+    const float angle = place.y / static_cast<float>(picture_->height) * kPi;
+    const float azimuth = (0.5f - place.x / static_cast<float>(picture_->width) + turns_) * 2 * kPi;
+    const float sine = std::sin(angle);
+    const Vec3 direction = {sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(angle)};
+    return {direction, std::numeric_limits<float>::infinity(), radiance(place), pdf(column.index, row.index, sine)};
 }
 
 void SkyPicture::add_to(Digest& digest) const
@@ -149,24 +162,19 @@ Sky::Sky(const Environment& environment)
 {
 }
 
-Rgb Sky::radiance(const Vec3& direction) const
-{
-    if (picture_) return picture_->radiance(direction);
-    const float z = std::clamp(direction.z, -1.0f, 1.0f);
-    const Rgb& pole = z > 0 ? zenith_ : nadir_;
-    return horizon_ * (1 - std::abs(z)) + pole * std::abs(z);
-}
-
 float Sky::brightness(float height) const
 {
     const float pole = height > 0 ? top_ : bottom_;
     return middle_ * (1 - std::abs(height)) + pole * std::abs(height);
 }
 
-float Sky::pdf(const Vec3& direction) const
+SkyLight Sky::at(const Vec3& direction) const
 {
-    if (picture_) return picture_->pdf(direction);
-    return brightness(std::clamp(direction.z, -1.0f, 1.0f)) / (2 * kPi * (upper_mass_ + lower_mass_));
+    if (picture_) return picture_->at(direction);
+    const float z = std::clamp(direction.z, -1.0f, 1.0f);
+    const Rgb& pole = z > 0 ? zenith_ : nadir_;
+    return {horizon_ * (1 - std::abs(z)) + pole * std::abs(z),
+            brightness(z) / (2 * kPi * (upper_mass_ + lower_mass_))};
 }
 
 float Sky::power() const
@@ -177,15 +185,12 @@ float Sky::power() const
 
 LightSample Sky::sample(const Vec3&, float u_select, const Vec2& u) const
 {
-    constexpr float kEverywhere = std::numeric_limits<float>::infinity();
-    if (picture_) {
-        const Vec3 direction = picture_->sample(u);
-        return {direction, kEverywhere, picture_->radiance(direction), picture_->pdf(direction)};
-    }
+    if (picture_) return picture_->sample(u);
     const bool upper = u_select * (upper_mass_ + lower_mass_) < upper_mass_;
     const float height = sample_linear(middle_, upper ? top_ : bottom_, u.x);
     const Vec3 direction = direction_at(upper ? height : -height, u.y);
-    return {direction, kEverywhere, radiance(direction), pdf(direction)};
+    const SkyLight light = at(direction);
+    return {direction, std::numeric_limits<float>::infinity(), light.radiance, light.pdf};
 }
 
 void Sky::add_to(Digest& digest) const

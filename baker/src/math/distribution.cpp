@@ -2,6 +2,7 @@
 #include "math/distribution.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace lumi::baker
 {
@@ -14,14 +15,21 @@ Distribution::Distribution(const std::vector<double>& weights)
         sum += weight;
         cumulative_.push_back(sum);
     }
+    uint32_t index = 0;
+    for (size_t k = 0; k < weights.size() && sum > 0; ++k) {
+        const double target = sum * static_cast<double>(k) / static_cast<double>(weights.size());
+        while (index + 1 < weights.size() && cumulative_[index] <= target) ++index;
+        guide_.push_back(index);
+    }
 }
 
 Distribution::Draw Distribution::draw(float u) const
 {
     constexpr float kBelowOne = 0x1.fffffep-1f;
     const double target = static_cast<double>(u) * total();
-    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, target);
-    const size_t index = static_cast<size_t>(found - cumulative_.begin());
+    size_t index = guide_[static_cast<size_t>(static_cast<double>(u) * static_cast<double>(guide_.size()))];
+    while (index > 0 && cumulative_[index - 1] > target) --index;  // the guide's rounding
+    while (index + 1 < cumulative_.size() && cumulative_[index] <= target) ++index;
     const double before = index == 0 ? 0 : cumulative_[index - 1];
     const double rest = (target - before) / (cumulative_[index] - before);
     return {index, std::clamp(static_cast<float>(rest), 0.0f, kBelowOne)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "math/sampler.h"
@@ -63,7 +64,8 @@ Ray leaving(const ClaySpot& spot, const Vec3& direction)
     return {spot.position + spot.frame.normal * kAway, direction};
 }
 
-// The light that clay at the spot sends back of what comes straight from lights.
+// The light that clay at the spot sends back of what comes straight from lights, but for the share of the sky's that
+// rays from there find.
 Rgb lit(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, Sampler& sampler)
 {
     const Vec2 choice = sampler.next_2d(), place = sampler.next_2d();
@@ -73,24 +75,30 @@ Rgb lit(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, Sam
         if (!(light.pdf > 0) || !(cosine > 0)) return;
         Ray ray = leaving(spot, light.direction);
         ray.end = light.distance * kBeforeLight;
-        if (!first_solid(shape, ray)) sum = sum + light.radiance * (kClay / kPi * cosine / light.pdf);
+        const bool is_sky = !light.dirac && light.distance == std::numeric_limits<float>::infinity();
+        const float weight = is_sky ? power_weight(light.pdf, cosine / kPi) : 1;
+        if (!first_solid(shape, ray)) sum = sum + light.radiance * (kClay * cosine / kPi * weight / light.pdf);
     });
     return sum;
 }
 
 Rgb path_from(const LitShape& shape, const LightSet& lights, ClaySpot spot, Sampler& sampler)
 {
-    Rgb sum = lit(shape, lights, spot, sampler);
+    Rgb sum;
     float share = 1;
-    for (int bounce = 0; bounce < kClayBounces; ++bounce) {
-        const Vec3 way = spot.frame.to_world(square_to_cosine_hemisphere(sampler.next_2d()));
-        const std::optional<ClaySpot> next = first_solid(shape, leaving(spot, normalized(way)));
-        if (!next) break;
-        spot = *next;
-        share *= kClay;
+    for (int bounce = 0;; ++bounce) {
         sum = sum + lit(shape, lights, spot, sampler) * share;
+        const Vec3 local = square_to_cosine_hemisphere(sampler.next_2d());
+        const Vec3 way = normalized(spot.frame.to_world(local));
+        const std::optional<ClaySpot> next = first_solid(shape, leaving(spot, way));
+        share *= kClay;
+        if (!next) {
+            const SkyLight sky = lights.sky(way);
+            return sum + sky.radiance * (share * power_weight(local.z / kPi, sky.pdf));
+        }
+        if (bounce == kClayBounces) return sum;
+        spot = *next;
     }
-    return sum;
 }
 
 float luminance_at(const LitShape& shape, const LightSet& lights, const ClaySpot& spot, uint32_t ray)

@@ -20,13 +20,6 @@ constexpr int kRouletteAfter = 2;       // bounces on other things than glass th
 constexpr float kWorthTwoRays = 0.03f;  // as a share of the light of white: less is looked for by chance
 constexpr float kMaxSurvival = 0.95f;   // even a white path ends some time; out of a medium it finds by itself
 
-// Veach's power heuristic with exponent 2.
-float power_weight(float own_pdf, float other_pdf)
-{
-    const float ratio = other_pdf / own_pdf;
-    return 1 / (1 + ratio * ratio);
-}
-
 // A path on its way: how much of what it finds next arrives at the eye, and how likely its direction was.
 struct Walk {
     Ray ray;
@@ -52,8 +45,8 @@ Rgb emitted(const SceneData& scene, const Walk& walk, const HitPoint& point)
 
 Rgb from_sky(const SceneData& scene, const Walk& walk)
 {
-    const Rgb light = walk.throughput * scene.lights.sky_radiance(walk.ray.direction);
-    return light * power_weight(walk.pdf, scene.lights.sky_pdf(walk.ray.direction));
+    const SkyLight sky = scene.lights.sky(walk.ray.direction);
+    return walk.throughput * sky.radiance * power_weight(walk.pdf, sky.pdf);
 }
 
 // Light of the extra lights that the ray passes on its way to `end`.

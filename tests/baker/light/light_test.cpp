@@ -43,7 +43,7 @@ TEST_CASE("sky: its pdf integrates to one and its samples follow it")
             for (int t = 0; t < kSkyTurns; ++t) {
                 const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / kSkyTurns);
                 const double share =
-                    static_cast<double>(sky.pdf(d)) * 4 * static_cast<double>(kPi) / (kSkyHeights * kFine * kSkyTurns);
+                    static_cast<double>(sky.at(d).pdf) * 4 * static_cast<double>(kPi) / (kSkyHeights * kFine * kSkyTurns);
                 expected[sky_bin(d)] += share * kSamples;
                 total += share;
             }
@@ -53,7 +53,7 @@ TEST_CASE("sky: its pdf integrates to one and its samples follow it")
             Sampler sampler(1, k, 0);
             const float u = sampler.next_1d();
             const LightSample s = sky.sample({}, u, sampler.next_2d());
-            REQUIRE(s.pdf == sky.pdf(s.direction));
+            REQUIRE(s.pdf == sky.at(s.direction).pdf);
             ++counts[sky_bin(s.direction)];
         }
         CHECK(chi2_score(counts, expected) < kSigmas);
@@ -88,11 +88,11 @@ TEST_CASE("lights: what they send to a point is the same by light sampling and b
         const Vec3 d = square_to_sphere(sampler.next_2d());
         const std::optional<Hit> hit = data.accelerator.closest({point, d});
         const Rgb seen =
-            hit ? data.materials[data.mesh.materials[hit->triangle]].emission : data.lights.sky_radiance(d);
+            hit ? data.materials[data.mesh.materials[hit->triangle]].emission : data.lights.sky(d).radiance;
         everywhere.add(static_cast<double>(seen.r) * 4 * static_cast<double>(kPi));
 
         // The densities of sky and emitters, both along d, add up to the number of samples.
-        double pdf = static_cast<double>(data.lights.sky_pdf(d));
+        double pdf = static_cast<double>(data.lights.sky(d).pdf);
         if (hit && data.materials[data.mesh.materials[hit->triangle]].emits())
             pdf += static_cast<double>(data.lights.emitter_pdf(hit->triangle, d, hit->distance));
         density.add(pdf * 4 * static_cast<double>(kPi));

@@ -21,7 +21,7 @@ Rgb mean_over(const Sky& sky, const Visit& weight)
     for (int k = 0; k < kHeights * kTurns; ++k) {
         const float z = (static_cast<float>(k / kTurns) + 0.5f) / kHeights * 2 - 1;
         const Vec3 direction = direction_at(z, (static_cast<float>(k % kTurns) + 0.5f) / kTurns);
-        sum = sum + sky.radiance(direction) * (weight(direction) / (kHeights * kTurns));
+        sum = sum + sky.at(direction).radiance * (weight(direction) / (kHeights * kTurns));
     }
     return sum;
 }
@@ -55,9 +55,9 @@ TEST_CASE("looks: every named sky but black sends the same light to a white ball
 TEST_CASE("looks: the gradient is linear in height between its three colours")
 {
     const Sky gradient = sky_of("gradient");
-    CHECK(gradient.radiance({0, 0, 1}).b == 1.65f);
-    CHECK(gradient.radiance({1, 0, 0}).g == 0.5f);
-    CHECK(gradient.radiance({0, 0, -1}).r == 0.16f);
+    CHECK(gradient.at({0, 0, 1}).radiance.b == 1.65f);
+    CHECK(gradient.at({1, 0, 0}).radiance.g == 0.5f);
+    CHECK(gradient.at({0, 0, -1}).radiance.r == 0.16f);
 }
 
 TEST_CASE("looks: in the studio a white of 0.8 stays below clipping wherever it faces, and a dark side is left")
@@ -82,8 +82,8 @@ TEST_CASE("looks: in the studio a white of 0.8 stays below clipping wherever it 
 TEST_CASE("looks: the studio's soft boxes are mirrored: bright ones with edges before a dark room")
 {
     const Sky sky = sky_of("studio");
-    const float key = sky.radiance(direction_at(std::sin(17 * kPi / 180), -54 / 360.0f)).g;
-    const float beside = sky.radiance(direction_at(std::sin(17 * kPi / 180), -85 / 360.0f)).g;
+    const float key = sky.at(direction_at(std::sin(17 * kPi / 180), -54 / 360.0f)).radiance.g;
+    const float beside = sky.at(direction_at(std::sin(17 * kPi / 180), -85 / 360.0f)).radiance.g;
     CHECK(key > 5);
     CHECK(beside < 0.2f);
 }

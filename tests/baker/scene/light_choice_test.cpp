@@ -40,7 +40,7 @@ std::string text_of(const std::vector<std::string>& lines)
 
 bool has_sky(const Scene& scene)
 {
-    return !is_black(scene.data().lights.sky_radiance({0, 0, 1}));
+    return !is_black(scene.data().lights.sky({0, 0, 1}).radiance);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ TEST_CASE("light choice: no studio beside lamps, nor beside a sky that was state
     sky.ball(sky.add(testing::diffuse(grey(0.5f))), {}, 0.5f);
     sky.surround(constant_environment(100));
     const Scene stated = sky.make_open();
-    CHECK(stated.data().lights.sky_radiance({0, 0, 1}).g == 100);
+    CHECK(stated.data().lights.sky({0, 0, 1}).radiance.g == 100);
     CHECK(stated.notes().empty());
 }
 

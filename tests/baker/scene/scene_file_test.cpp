@@ -217,13 +217,13 @@ TEST_CASE("scene file: a whole file loads, and the command line's wishes count m
     CHECK(scene.up() == UpAxis::z);
     CHECK(scene.radius() == 2);
     CHECK(scene.light_count() == 1);
-    CHECK(static_cast<double>(scene.data().lights.sky_radiance({1, 0, 0}).r) == Approx(6));
+    CHECK(static_cast<double>(scene.data().lights.sky({1, 0, 0}).radiance.r) == Approx(6));
     LoadOptions options;
     options.up = UpAxis::y;
     options.environment = constant_environment(0);
     const Scene other = load_scene(file, options, warnings);
     CHECK(other.up() == UpAxis::y);
-    CHECK(other.data().lights.sky_radiance({1, 0, 0}).r == 0);
+    CHECK(other.data().lights.sky({1, 0, 0}).radiance.r == 0);
     REQUIRE(warnings.size() == 2);  // the object's two faces lie in one place, which is told at each load
     for (const std::string& warning : warnings) CHECK_THAT(warning, Catch::Contains("1 face(s) coincide"));
 }

@@ -43,7 +43,7 @@ public:
             }
             if (!hit) {
                 if (result.covered)
-                    result.radiance = result.radiance + throughput * scene_.lights.sky_radiance(ray.direction);
+                    result.radiance = result.radiance + throughput * scene_.lights.sky(ray.direction).radiance;
                 break;
             }
             result.covered = true;
