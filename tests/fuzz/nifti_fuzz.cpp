@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "fuzz_folder.h"
 #include "lumi/baker/scene.h"
 #include "volume/nifti_file.h"
 
@@ -14,7 +15,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         if (grid.values.size() != size_t{grid.nx} * grid.ny * grid.nz) abort();
         for (const float value : grid.values)
             if (!std::isfinite(value)) abort();
-    } catch (const SceneError&) {
+    } catch (const SceneError& refused) {
+        lumi::fuzz::check_message(refused);
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs a fuzz target over the files of the folders that the command line names, without a fuzzer: any compiler will do.
 // Each file is also run with some bytes changed, cut off or put between others, the same ones every time; those of
-// folders after --as-is are not: what was found may be slow.
+// folders after --as-is are not: what was found may be slow. The others are seeds, which some targets must read.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +13,12 @@
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
+
+namespace lumi::fuzz
+{
+// Targets that refuse none of their seeds define it, and count what they could read.
+extern size_t inputs_read __attribute__((weak));
+}  // namespace lumi::fuzz
 
 namespace
 {
@@ -51,6 +57,15 @@ void run_changed(std::vector<uint8_t> bytes, uint32_t seed)
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
 }
 
+// False where a target that counts what it reads refuses them.
+bool is_read(const std::vector<uint8_t>& bytes)
+{
+    const size_t* const count = &lumi::fuzz::inputs_read;
+    const size_t before = count ? *count : 0;
+    LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    return !count || *count != before;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -64,7 +79,10 @@ int main(int argc, char** argv)
         }
         for (const auto& entry : std::filesystem::directory_iterator(argv[k])) {
             const std::vector<uint8_t> bytes = bytes_of(entry.path());
-            LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+            if (!is_read(bytes) && changed_runs != 0) {
+                std::fprintf(stderr, "%s: a seed that is refused\n", entry.path().c_str());
+                return 1;
+            }
             for (int run = 0; run < changed_runs; ++run) run_changed(bytes, static_cast<uint32_t>(run));
             ++files;
             executions += 1 + static_cast<size_t>(changed_runs);

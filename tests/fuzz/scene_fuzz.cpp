@@ -8,6 +8,11 @@
 #include "math/warp.h"
 #include "trace/path_tracer.h"
 
+namespace lumi::fuzz
+{
+size_t inputs_read = 0;  // for replay_main.cpp
+}
+
 namespace
 {
 
@@ -42,6 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     try {
         trace_some(lumi::baker::load_scene(
             sound.folder.write("s.json", std::string(reinterpret_cast<const char*>(data), size)), {}, warnings));
+        ++lumi::fuzz::inputs_read;
     } catch (const lumi::baker::SceneError& refused) {
         lumi::fuzz::check_message(refused);
     }

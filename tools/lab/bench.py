@@ -33,7 +33,7 @@ UNJUDGED = {"states": "states", "gloss": "gloss", "see_through_patches": "see_th
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]
 POSE_COUNTS = ["pose", "mode", "covered", "instructions", "crc"]
 STRIPE_COUNTS = ["stripes", "view", "mode", "covered", "instructions", "crc"]
-LIGHT = ["--sky", "gradient"]  # without gloss maps, so rates and accuracy can be told
+LIGHT = ["--sky", "gradient"]  # without gloss maps, so accuracy can be told
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build/release/tools"
 

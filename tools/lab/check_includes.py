@@ -90,6 +90,7 @@ baker/src/surface
 baker/src
 
 tools/src/terminal
+tools/src/math
 tools/src/files
 tools/src/image
 tools/src/metrics

@@ -189,8 +189,10 @@ TEST_CASE("gloss maps keep to the limits of bytes and of RAM: as many are fitted
     const SurfacePlan roomy = within(60'000, much), few = within(8'000, much);
     CHECK(roomy.settings.gloss_maps == 3);
     CHECK(few.settings.gloss_maps < 3);
+    CHECK_FALSE(few.fewer_maps);  // for bytes, not for RAM
     const SurfacePlan plan = within(8'000, few.ram_bytes - 1);
     CHECK(plan.settings.gloss_maps == few.settings.gloss_maps - 1);
+    CHECK(plan.fewer_maps);
     const SurfaceBake bake = surface_field(scene, few);
     SurfaceField field;
     REQUIRE(open_surface<SurfaceFeatures::all>(bake.file.data(), bake.file.size(), field) == FieldError::none);

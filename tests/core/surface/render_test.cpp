@@ -131,6 +131,28 @@ TEST_CASE("a closed surface has no holes however near it is")
     }
 }
 
+TEST_CASE("stripes that would end beyond the last coordinate hold background up to it, and nothing else is written")
+{
+    using Place = std::pair<int32_t, int32_t>;
+    constexpr int32_t kWidth = 9, kHeight = 5;
+    constexpr size_t kStride = 3 * kWidth, kGuard = 64;
+    const OpenedSurface opened(surface_file(bumpy_ball()));
+    for (const SurfaceMode mode : kSurfaceModes) {
+        PreparedFrame made(opened.field(), kSide);
+        made.prepare<PixelRgb888, SurfaceFeatures::view_tables>(opened.field(), extreme_views(kSide).front(), mode);
+        for (const auto& [x, y] : {Place{INT32_MAX - 8, 0}, Place{INT32_MAX, 0}, Place{0, INT32_MAX}}) {
+            Bytes expected(kGuard + kHeight * kStride + kGuard, 0xA5), bytes = expected;
+            draw_stripe<PixelRgb888, SurfaceFeatures::view_tables>(made.frame, OverColour{{1, 1, 1}},
+                                                                   {&bytes[kGuard], x, y, kWidth, kHeight, kStride});
+            for (int32_t row = 0; row < std::min(kHeight, INT32_MAX - y); ++row)
+                std::fill_n(&expected[kGuard + static_cast<size_t>(row) * kStride], 3 * std::min(kWidth, INT32_MAX - x),
+                            1);
+            CAPTURE(x, y, static_cast<int>(mode));
+            CHECK((bytes == expected));
+        }
+    }
+}
+
 TEST_CASE("what lies under a stripe stays where no surface is")
 {
     const OpenedSurface opened(surface_file(bumpy_ball()));

@@ -93,6 +93,7 @@ TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, 
     REQUIRE(bake({"--ram", "900kB", "--gloss-maps", "0"}).code == 0);
     const auto roomy = nlohmann::json::parse(test::content_of(plan));
     CHECK(roomy["triangles_without_ram"] == 0);
+    CHECK(roomy["fewer_maps"] == false);
     const Outcome without_maps = done(bake({"--ram", std::to_string(roomy["ram_bytes"].get<uint64_t>())}));
     CHECK_THAT(without_maps.out, Catch::Contains("of RAM, for which it has no gloss maps"));
     const std::string less = std::to_string(roomy["ram_bytes"].get<uint64_t>() - 4000);
@@ -100,10 +101,11 @@ TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, 
     const auto json = nlohmann::json::parse(test::content_of(plan));
     CHECK(json["ram_bytes"] <= roomy["ram_bytes"].get<uint64_t>() - 4000);
     CHECK(json["triangles_without_ram"] == roomy["triangles"]);
+    CHECK(json["fewer_maps"] == true);
     CHECK_THAT(tight.out, Catch::Contains("of RAM, for which it has fewer triangles than " +
-                                          std::to_string(roomy["triangles"].get<uint32_t>())));
-    const Outcome low = bake({"--ram", less, "--rows", "8"});
-    CHECK(low.code == 0);
+                                          std::to_string(roomy["triangles"].get<uint32_t>()) + ", and no gloss maps"));
+    CHECK_THAT(done(bake({"--ram", less, "--rows", "8", "--progress", "json"})).out,
+               Catch::Contains(R"("fewer_maps":false)"));
     CHECK(nlohmann::json::parse(test::content_of(plan))["triangles_without_ram"] == 0);
     const std::string before = test::content_of(plan);
     check_refused(bake({"--ram", "9kB"}), 1, "give more --ram, or fewer --rows");

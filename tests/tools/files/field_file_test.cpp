@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/field_report.h"
+#include "support/small_surface.h"
 #include "support/temporary_folder.h"
 #include "support/test_field.h"
 
@@ -63,6 +64,21 @@ TEST_CASE("a damaged texel is found by the CRC and named with its section")
         file.require_intact(),
         folder / "a.lumi" + ": the texel section's bytes are damaged (CRC); copy the file again or bake it again");
     CHECK_THAT(report_text(file, true), Catch::Contains("DAMAGED"));
+}
+
+TEST_CASE("a damaged gloss map is found and named in words, as every section of a surface field is")
+{
+    const test::TemporaryFolder folder;
+    std::string bytes = test::glossy_surface_bytes();
+    test::write_content(folder / "g.lumi", bytes);
+    for (const Section& section : FieldFile(folder / "g.lumi").sections()) {
+        CHECK_THAT(title_of(section.type), !Catch::Contains("\""));
+        char& middle = bytes[section.offset + section.bytes / 2];
+        if (section.type == "SGLO") middle = static_cast<char>(middle ^ 1);
+    }
+    test::write_content(folder / "g.lumi", bytes);
+    CHECK_THROWS_WITH(FieldFile(folder / "g.lumi").require_intact(),
+                      Catch::Contains("g.lumi: the gloss section's bytes are damaged (CRC); "));
 }
 
 TEST_CASE("what is no field is refused with its name and a mend")

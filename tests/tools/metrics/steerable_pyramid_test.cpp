@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "metrics/metrics.h"
+#include "math/pi.h"
 
 namespace lumi::tools
 {

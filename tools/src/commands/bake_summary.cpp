@@ -198,7 +198,7 @@ std::string options_of(const baker::SurfacePlan& plan)
     return s.view_tables ? options : options + " --no-view-tables";
 }
 
-// What a mesh of the plan lacks for a limit of RAM or bytes, such as "fewer triangles than 3684"; may be empty.
+// What a mesh of the plan lacks for a limit of RAM, such as "fewer triangles than 3684"; may be empty.
 std::string lacks_of(const baker::SurfacePlan& plan)
 {
     std::string text;
@@ -360,6 +360,7 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
         if (takes_surface && plan.ram_bytes != 0) {
             line["ram_bytes"] = plan.ram_bytes;
             line["triangles_without_ram"] = plan.triangles_without_ram;
+            line["fewer_maps"] = plan.fewer_maps;
         }
         print_json(line);
     } else if (takes_surface) {
@@ -367,7 +368,7 @@ size_t tell_plan(const baker::SurfacePlan& plan, const BakeOptions& options, boo
         if (options.fit.plan_only)
             print(stdout, "layout surface: %s\n%s  by hand: %s\n", text_of(plan).c_str(),
                   ram.empty() ? "" : ("  " + ram + "\n").c_str(), options_of(plan).c_str());
-        else if (!ram.empty() && !lacks_of(plan).empty())
+        else if (!lacks_of(plan).empty())
             print(stderr, "lumi: it takes %s\n", ram.c_str());
     } else {
         print(options.fit.plan_only ? stdout : stderr, "%slayout chord: %s\n",
@@ -395,7 +396,10 @@ nlohmann::json plan_json(const baker::SurfacePlan& plan, const baker::SurfaceLim
                            {"options", options_of(plan)},  {"most_bytes", plan.most_bytes},
                            {"triangles", plan.triangles},  {"texels_per_radius", plan.settings.texels_per_radius},
                            {"missed", plan.loss.missed}};
-    if (limits.ram) json.update({{"ram_bytes", plan.ram_bytes}, {"triangles_without_ram", plan.triangles_without_ram}});
+    if (limits.ram)
+        json.update({{"ram_bytes", plan.ram_bytes},
+                     {"triangles_without_ram", plan.triangles_without_ram},
+                     {"fewer_maps", plan.fewer_maps}});
     return json;
 }
 

@@ -13,7 +13,7 @@
 #include "files/output_file.h"
 #include "image/picture_file.h"
 #include "lumi/baker/reference.h"
-#include "metrics/metrics.h"
+#include "math/pi.h"
 #include "program/option_checks.h"
 #include "terminal/failure.h"
 #include "terminal/progress_printer.h"

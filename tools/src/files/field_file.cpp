@@ -89,9 +89,10 @@ FieldSphere sphere_of(const Field& field)
 std::string title_of(const std::string& type)
 {
     static const std::map<std::string, std::string> titles = {
-        {"TEXL", "texel"},   {"LAYO", "layout"},     {"PALT", "palette"},    {"SURF", "surface"},
-        {"SVTX", "vertex"},  {"SPAT", "patch"},      {"SNEI", "neighbour"},  {"STEX", "texel"},
-        {"SPAL", "palette"}, {"SVIE", "view table"}, {"SSEE", "see-through"}};
+        {"TEXL", "texel"},       {"LAYO", "layout"},     {"PALT", "palette"},     {"SURF", "surface"},
+        {"SVTX", "vertex"},      {"SPAT", "patch"},      {"SNEI", "neighbour"},   {"STEX", "texel"},
+        {"SPAL", "palette"},     {"SVIE", "view table"}, {"SSEE", "see-through"}, {"SGLO", "gloss"},
+        {"SSTA", "light state"}, {"SPRT", "part"},       {"DRFT", "draft"}};
     const auto title = titles.find(type);
     return title != titles.end() ? title->second : "\"" + type + "\"";
 }

@@ -10,6 +10,8 @@
 #include <random>
 #include <utility>
 
+#include "math/pi.h"
+
 namespace lumi::filter
 {
 
@@ -85,12 +87,12 @@ private:
 Views lesson_views(const LessonSettings& settings, double cap)
 {
     constexpr double kNearest = 2.5, kFarthest = 4, kDegrees = 360;
-    constexpr double kPi = 3.14159265358979323846, kGolden = 1.61803398874989484820;
+    constexpr double kGolden = 1.61803398874989484820;
     std::mt19937_64 random(settings.seed);
     std::vector<HeldOutView> all;
     for (int k = 0; k < settings.views; ++k) {
         const double z = 1 - 2 * cap * (k + 0.5) / settings.views;
-        const double elevation = std::asin(z) * kDegrees / (2 * kPi);
+        const double elevation = std::asin(z) * kDegrees / (2 * tools::kPi);
         const double azimuth = kDegrees * (k / kGolden - std::floor(k / kGolden));
         const double distance = kNearest + (kFarthest - kNearest) * uniform(random);
         all.push_back(quality::view_at(azimuth, elevation, distance, settings.side_px));

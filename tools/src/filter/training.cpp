@@ -8,6 +8,7 @@
 #include "filter/drawing.h"
 #include "lumi/baker/plug_in.h"
 #include "lumi/baker/progress.h"
+#include "math/pi.h"
 #include "metrics/metrics.h"
 #include "terminal/failure.h"
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/pi.h"
+
 namespace lumi::tools
 {
 

@@ -59,6 +59,4 @@ Plane<double> flip_map(const Picture& reference, const Picture& test, double pix
 // The mean of the map.
 double flip(const Picture& reference, const Picture& test, double pixels_per_degree = kFlipPixelsPerDegree);
 
-inline constexpr double kPi = 3.14159265358979323846;
-
 }  // namespace lumi::tools

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <kissfft/kissfft.hh>
 
-#include "metrics/metrics.h"
+#include "math/pi.h"
 
 namespace lumi::tools
 {

@@ -12,6 +12,7 @@
 #include "image/picture_file.h"
 #include "lumi/baker/picture_file.h"
 #include "lumi/host/png.h"
+#include "math/pi.h"
 #include "metrics/metrics.h"
 #include "terminal/failure.h"
 
