@@ -5,9 +5,9 @@
 
 #include "lumi/baker/bake.h"
 #include "lumi/baker/file_guard.h"
-#include "lumi/detail/crc32.h"
 #include "store/bake_identity.h"
 #include "util/byte_stream.h"
+#include "util/gzip.h"
 
 namespace lumi::baker
 {
@@ -27,7 +27,7 @@ std::vector<uint8_t> head_of(const Digest::Value& key, uint64_t size)
 
 uint32_t crc_of_both(const std::vector<uint8_t>& head, const std::vector<uint8_t>& bytes)
 {
-    return detail::crc32(detail::crc32(0, head.data(), head.size()), bytes.data(), bytes.size());
+    return checksum(checksum(0, head.data(), head.size()), bytes.data(), bytes.size());
 }
 
 bool is_file(const std::filesystem::path& path)

@@ -12,7 +12,6 @@
 #include "store/posix_file.h"
 #include "util/byte_stream.h"
 #include "util/digest.h"
-#include "util/gzip.h"
 
 namespace lumi::baker
 {
@@ -74,10 +73,9 @@ public:
     {
         const Digest::Value key = key_of(name, settings...);
         if (std::vector<uint8_t> bytes; file_.find(key, bytes))
-            if (const std::optional<std::vector<uint8_t>> result = unpacked(bytes))
-                if (std::optional<Result> kept = from_bytes<Result>(*result)) return std::move(*kept);
+            if (std::optional<Result> kept = from_bytes<Result>(bytes)) return std::move(*kept);
         Result result = make();
-        file_.add(key, packed(to_bytes(result)));
+        file_.add(key, to_bytes(result));
         return result;
     }
 

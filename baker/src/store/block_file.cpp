@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstring>
 
-#include "lumi/detail/crc32.h"
+#include "util/gzip.h"
 
 namespace lumi::baker
 {
@@ -32,7 +32,7 @@ std::vector<uint8_t> read_head(const PosixFile& file)
     }
     const size_t crc_at = kHeadBytes - kSealBytes;
     if (head.size() < kHeadBytes ||
-        ByteReader(head.data() + crc_at, kSealBytes).get32() != detail::crc32(0, head.data(), crc_at))
+        ByteReader(head.data() + crc_at, kSealBytes).get32() != checksum(0, head.data(), crc_at))
         throw BakeError(name + ": its head is damaged (CRC); remove it and bake again");
     return head;
 }
@@ -45,7 +45,7 @@ std::vector<uint8_t> encode_head(const BakeIdentity& identity)
     for (size_t k = 0; k < kMagicBytes; ++k) out.put8(static_cast<uint8_t>(kMagic[k]));
     out.put32(kVersion);
     for (const uint8_t b : encode(identity)) out.put8(b);
-    out.put32(detail::crc32(0, out.bytes().data(), out.bytes().size()));
+    out.put32(checksum(0, out.bytes().data(), out.bytes().size()));
     return out.bytes();
 }
 
@@ -54,7 +54,7 @@ BlockFile::BlockFile(std::unique_ptr<PosixFile> file)
       head_(read_head(*file_)),
       identity_(decode_identity(head_.data() + kMagicBytes + 4)),
       // Without the CRC at its end: with it, every head would have the same one.
-      head_crc_(detail::crc32(0, head_.data(), head_.size() - kSealBytes))
+      head_crc_(checksum(0, head_.data(), head_.size() - kSealBytes))
 {
 }
 
@@ -62,7 +62,7 @@ uint32_t BlockFile::seal(uint32_t number, const std::vector<uint8_t>& bytes) con
 {
     ByteWriter prefix;
     prefix.put32(number);
-    return detail::crc32(detail::crc32(head_crc_, prefix.bytes().data(), prefix.bytes().size()), bytes.data(),
+    return checksum(checksum(head_crc_, prefix.bytes().data(), prefix.bytes().size()), bytes.data(),
                          bytes.size());
 }
 

@@ -85,6 +85,11 @@ constexpr size_t kSizeBytes = 8;  // before the packed bytes, how many they were
 
 }  // namespace
 
+uint32_t checksum(uint32_t previous, const uint8_t* bytes, size_t size)
+{
+    return static_cast<uint32_t>(crc32_z(previous, bytes, size));
+}
+
 std::vector<uint8_t> packed(const std::vector<uint8_t>& bytes)
 {
     ByteWriter head;
