@@ -20,7 +20,7 @@ struct FitState {
     const FitShape& shape;
     const EncodedTone& tone;
     FitModel expected;            // what the pilot found
-    std::vector<uint32_t> lines;  // by patch, to each of its texels; from the pilot, too (fit/path_plan.h)
+    std::vector<uint32_t> lines;  // by patch, to each of its texels, the pilot's among them (fit/path_plan.h)
     FitSums sums;                 // equations that are linear around `expected`
     uint32_t batches = 0;         // batches that are in the sums
     uint32_t wanted = 0;          // batches in all, once they are known

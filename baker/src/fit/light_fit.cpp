@@ -146,7 +146,7 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     if (!settings_.view_tables) state.expected.viewed.assign(state.expected.viewed.size(), 0);
     ViewSmoothness smoothness(shape_, state.expected.viewed);
     start_from_means(shape_, samples, state.tone, state.expected);
-    const double more = 1.0 * settings_.paths_per_texel / paths_.pilot_lines();
+    const double more = std::max(1.0, 1.0 * settings_.paths_per_texel / paths_.pilot_lines());
     for_patches(shape_, job, [&](uint32_t p) {
         learn_matt_light(shape_, p, samples.begin(p), samples.end(p), more, state.expected);
     });
@@ -192,6 +192,9 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     state.expected = std::move(last.model);
     state.lines = std::move(last.lines);
     state.has_pilot = true;
+    if (!paths_.counts_pilot()) return;
+    for_patches(shape_, job, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
+    state.paths += samples.samples.size();
 }
 
 void LightFit::forget_pilot(BakeStages& stages)
@@ -212,7 +215,7 @@ uint64_t LightFit::rays_left(const FitState& state) const
                 static_cast<uint64_t>(lines_a_path_ * paths_.most_lines() * paths_.batches()));
     uint64_t rays = 0;
     for (uint32_t k = state.batches; k < paths_.batches(); ++k)
-        paths_.each_texel(paths_.batch(k), [&](uint32_t patch, uint32_t) { rays += state.lines[patch]; });
+        paths_.each_texel(paths_.batch(k), [&](uint32_t patch, uint32_t) { rays += state.lines[patch] - paths_.pilot_lines(); });
     return rays;
 }
 
@@ -231,7 +234,9 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
         pilot(state, stages, job);
         keep();
     }
-    const uint32_t at_once = std::min(std::max(batches / kRounds, 1u), at_once_of(paths_.most_lines()));
+    const uint32_t at_once = std::min(std::max(batches / kRounds, 1u), at_once_of(std::max(paths_.most_lines(), 1u)));
+    std::vector<uint32_t> lines = state.lines;
+    for (uint32_t& n : lines) n -= paths_.pilot_lines();
     const ProgressCallback as_whole = [&](const Progress&) {
         job.tell();
         return true;
@@ -239,7 +244,7 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
         const SortedSamples samples = by_patch(traced([&](uint32_t k) { return paths_.batch(state.batches + k); },
-                                                      count, job, settings_.seed, state.lines));
+                                                      count, job, settings_.seed, lines));
         Job whole(1, settings_.threads, as_whole);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

@@ -12,7 +12,7 @@ namespace
 constexpr double kPrior = 8;          // paths of the mean variance that a patch of few paths is given besides its own
 constexpr double kLeastOwn = 0.25;    // of a variance that was measured around means of the same paths
 constexpr double kLeastOpen = 0.125;  // share of a patch's lines that nothing stops: no more are spent on it
-constexpr double kFewestPaths = 8;    // to a texel
+constexpr uint32_t kFewestLines = 8;  // to a texel
 constexpr double kOwnPart = 0.4;      // of the noise of texels, which are smoothed afterwards; tables are not
 constexpr double kQuiet = 0.5;        // levels: less noise of a texel is not looked at
 constexpr double kMostOfMean = 32;    // times the mean: where little else is noisy, one patch would get all
@@ -25,11 +25,11 @@ struct PatchNoise {
     bool viewed = false;         // at least one corner has a table
 
     // Paths to a texel, so many times its deviation.
-    double wanted(double per_deviation) const
+    double wanted(double per_deviation, double fewest) const
     {
         const double deviation = kOwnPart * own + tables / std::sqrt(share);
         const double enough = (own + tables) / kQuiet;
-        return std::max(kFewestPaths, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
+        return std::max(fewest * open, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
     }
 };
 
@@ -86,21 +86,21 @@ std::vector<PatchNoise> noise_of(const FitSums& pilot, const std::vector<uint8_t
     return result;
 }
 
-double sum_of(const std::vector<PatchNoise>& noise, double per_deviation)
+double sum_of(const std::vector<PatchNoise>& noise, double per_deviation, double fewest)
 {
     double sum = 0;
-    for (const PatchNoise& n : noise) sum += n.texels * n.wanted(per_deviation);
+    for (const PatchNoise& n : noise) sum += n.texels * n.wanted(per_deviation, fewest);
     return sum;
 }
 
 // So many paths in all bring the sum of all texels' variances to its least where a texel gets paths by its deviation.
-double paths_per_deviation(const std::vector<PatchNoise>& noise, double paths)
+double paths_per_deviation(const std::vector<PatchNoise>& noise, double paths, double fewest)
 {
     double low = 0, high = 1;
-    while (sum_of(noise, high) < paths && high < 1e9) high *= 2;
+    while (sum_of(noise, high, fewest) < paths && high < 1e9) high *= 2;
     for (int k = 0; k < kHalvings; ++k) {
         const double middle = (low + high) / 2;
-        (sum_of(noise, middle) < paths ? low : high) = middle;
+        (sum_of(noise, middle, fewest) < paths ? low : high) = middle;
     }
     return high;
 }
@@ -123,13 +123,14 @@ PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const Fi
 std::vector<uint32_t> PathPlan::lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const
 {
     const std::vector<PatchNoise> noise = noise_of(pilot, viewed, pilot_lines());
+    const double fewest = std::max(kFewestLines, pilot_lines());
     double paths = 0;
     for (const PatchNoise& n : noise) paths += paths_per_texel_ * n.texels * (n.viewed ? spared_ : 1);
-    const double per_deviation = paths_per_deviation(noise, paths);
-    const double most = std::min(kMostOfMean * spared_ * paths_per_texel_, kMaxTexelSamples - 1.0);
+    const double per_deviation = paths_per_deviation(noise, paths, fewest);
+    const double most = std::clamp(kMostOfMean * spared_ * paths_per_texel_, fewest, kMaxTexelSamples - 1.0);
     std::vector<uint32_t> result;
     for (const PatchNoise& n : noise)
-        result.push_back(static_cast<uint32_t>(std::min(most, std::ceil(n.wanted(per_deviation) / n.open))));
+        result.push_back(static_cast<uint32_t>(std::min(most, std::ceil(n.wanted(per_deviation, fewest) / n.open))));
     return result;
 }
 

@@ -22,18 +22,24 @@ public:
     template <class Function>
     void each_texel(uint32_t batch, Function f) const;
 
-    // All shards trace the same pilot: so many lines to each texel.
+    // All shards trace the same pilot, so many lines to each texel. Its light counts in the sums of the first.
     uint32_t pilot_batches() const { return batches_; }
     uint32_t pilot_lines() const { return std::clamp(kMostPilot / std::max(ends_.back(), 1u), 1u, kMostPilotLines); }
+    bool counts_pilot() const { return shard_.index == 1; }
     // Batches of the shard after the pilot, and the number of the k-th of them: shards take turns.
     uint32_t batches() const { return (batches_ + shard_.count - shard_.index) / shard_.count; }
     uint32_t batch(uint32_t k) const { return k * shard_.count + shard_.index - 1; }
 
-    // By patch, the lines to each of its texels: as many as its noise needs and the settings allow. Where a view table
+    // By patch, the lines to each of its texels, the pilot's among them: as many as its noise needs and the settings
+    // allow. Where a view table
     // is fitted, texels that the plan spares leave their lines to the others: a table is as large as it was.
     std::vector<uint32_t> lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const;
-    // Lines to a texel that the settings allow in the mean.
-    uint32_t most_lines() const { return static_cast<uint32_t>(paths_per_texel_ * spared_); }
+    // Lines to a texel after the pilot that the settings allow in the mean.
+    uint32_t most_lines() const
+    {
+        const auto all = static_cast<uint32_t>(paths_per_texel_ * spared_);
+        return all - std::min(all, pilot_lines());
+    }
 
 private:
     static constexpr uint32_t kMostPilotLines = 32;

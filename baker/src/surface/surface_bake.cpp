@@ -58,7 +58,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::seconds kShortest{2};  // a bake that is killed every few seconds still gets on
-    static constexpr int kBetween = 12;                  // times as long as writing takes
+    static constexpr int kBetween = 30;                  // times as long as writing takes
 
     Checkpoint checkpoint_;
     SurfaceFileStore store_;

@@ -7,6 +7,7 @@
 #include "store/posix_file.h"
 #include "surface/surface_file_store.h"
 #include "surface/surface_scenes.h"
+#include "util/gzip.h"
 
 namespace lumi::baker::testing
 {
