@@ -191,10 +191,11 @@ void LightFit::pilot(FitState& state, BakeStages& stages, Job& job) const
     job.add_rays(begin + pilot_work() - job.part_of_rest(0));  // none, unless they were kept
     state.expected = std::move(last.model);
     state.lines = std::move(last.lines);
-    state.has_pilot = true;
-    if (!paths_.counts_pilot()) return;
-    for_patches(shape_, job, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
-    state.paths += samples.samples.size();
+    if (paths_.counts_pilot()) {
+        for_patches(shape_, job, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
+        state.paths += samples.samples.size();
+    }
+    state.has_pilot = true;  // whole: what was cancelled before is not kept
 }
 
 void LightFit::forget_pilot(BakeStages& stages)
@@ -212,10 +213,12 @@ uint64_t LightFit::rays_left(const FitState& state) const
     if (!state.has_pilot)
         return uint64_t{PathPlan::kBatchTexels} *
                (uint64_t{paths_.pilot_lines()} * paths_.pilot_batches() +
-                static_cast<uint64_t>(lines_a_path_ * paths_.most_lines() * paths_.batches()));
+                uint64_t{paths_.after_pilot(static_cast<uint32_t>(lines_a_path_ * paths_.mean_lines()))} *
+                    paths_.batches());
     uint64_t rays = 0;
     for (uint32_t k = state.batches; k < paths_.batches(); ++k)
-        paths_.each_texel(paths_.batch(k), [&](uint32_t patch, uint32_t) { rays += state.lines[patch] - paths_.pilot_lines(); });
+        paths_.each_texel(paths_.batch(k),
+                          [&](uint32_t patch, uint32_t) { rays += paths_.after_pilot(state.lines[patch]); });
     return rays;
 }
 
@@ -236,15 +239,15 @@ void LightFit::trace(FitState& state, BakeStages& stages, Job& job, const std::f
     }
     const uint32_t at_once = std::min(std::max(batches / kRounds, 1u), at_once_of(std::max(paths_.most_lines(), 1u)));
     std::vector<uint32_t> lines = state.lines;
-    for (uint32_t& n : lines) n -= paths_.pilot_lines();
+    for (uint32_t& n : lines) n = paths_.after_pilot(n);
     const ProgressCallback as_whole = [&](const Progress&) {
         job.tell();
         return true;
     };
     while (state.batches < batches) {
         const uint32_t count = std::min(at_once, batches - state.batches);
-        const SortedSamples samples = by_patch(traced([&](uint32_t k) { return paths_.batch(state.batches + k); },
-                                                      count, job, settings_.seed, lines));
+        const SortedSamples samples = by_patch(
+            traced([&](uint32_t k) { return paths_.batch(state.batches + k); }, count, job, settings_.seed, lines));
         Job whole(1, settings_.threads, as_whole);  // sums hold all of a batch or nothing
         for_patches(shape_, whole, [&](uint32_t p) { state.sums.add(p, samples.begin(p), samples.end(p)); });
         state.batches += count;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Traces the light of a surface field into sums.
 //
-// A pilot of few paths, kept one by one, finds about which levels each sample shows; then they and every further path are
-// added to sums that are linear around those.
+// A pilot of few paths, kept one by one, finds about which levels each sample shows; then they and every further path
+// are added to sums that are linear around those.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@ namespace
 constexpr double kPrior = 8;          // paths of the mean variance that a patch of few paths is given besides its own
 constexpr double kLeastOwn = 0.25;    // of a variance that was measured around means of the same paths
 constexpr double kLeastOpen = 0.125;  // share of a patch's lines that nothing stops: no more are spent on it
-constexpr uint32_t kFewestLines = 8;  // to a texel
+constexpr double kFewestPaths = 8;    // to a texel
 constexpr double kOwnPart = 0.4;      // of the noise of texels, which are smoothed afterwards; tables are not
 constexpr double kQuiet = 0.5;        // levels: less noise of a texel is not looked at
 constexpr double kMostOfMean = 32;    // times the mean: where little else is noisy, one patch would get all
@@ -24,12 +24,13 @@ struct PatchNoise {
     double share = 1;            // of the mean patch's texels: tables of small ones are as large
     bool viewed = false;         // at least one corner has a table
 
-    // Paths to a texel, so many times its deviation.
-    double wanted(double per_deviation, double fewest) const
+    // Paths to a texel, so many times its deviation, and no fewer than so many lines have.
+    double wanted(double per_deviation, uint32_t fewest) const
     {
         const double deviation = kOwnPart * own + tables / std::sqrt(share);
         const double enough = (own + tables) / kQuiet;
-        return std::max(fewest * open, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
+        return std::max(std::max(kFewestPaths, fewest * open),
+                        std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
     }
 };
 
@@ -86,7 +87,7 @@ std::vector<PatchNoise> noise_of(const FitSums& pilot, const std::vector<uint8_t
     return result;
 }
 
-double sum_of(const std::vector<PatchNoise>& noise, double per_deviation, double fewest)
+double sum_of(const std::vector<PatchNoise>& noise, double per_deviation, uint32_t fewest)
 {
     double sum = 0;
     for (const PatchNoise& n : noise) sum += n.texels * n.wanted(per_deviation, fewest);
@@ -94,7 +95,7 @@ double sum_of(const std::vector<PatchNoise>& noise, double per_deviation, double
 }
 
 // So many paths in all bring the sum of all texels' variances to its least where a texel gets paths by its deviation.
-double paths_per_deviation(const std::vector<PatchNoise>& noise, double paths, double fewest)
+double paths_per_deviation(const std::vector<PatchNoise>& noise, double paths, uint32_t fewest)
 {
     double low = 0, high = 1;
     while (sum_of(noise, high, fewest) < paths && high < 1e9) high *= 2;
@@ -123,14 +124,17 @@ PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const Fi
 std::vector<uint32_t> PathPlan::lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const
 {
     const std::vector<PatchNoise> noise = noise_of(pilot, viewed, pilot_lines());
-    const double fewest = std::max(kFewestLines, pilot_lines());
+    constexpr double kRounding = 1e-9;
+    const uint32_t fewest = pilot_lines();
     double paths = 0;
     for (const PatchNoise& n : noise) paths += paths_per_texel_ * n.texels * (n.viewed ? spared_ : 1);
     const double per_deviation = paths_per_deviation(noise, paths, fewest);
-    const double most = std::clamp(kMostOfMean * spared_ * paths_per_texel_, fewest, kMaxTexelSamples - 1.0);
+    const double most = std::clamp(kMostOfMean * spared_ * paths_per_texel_, 1.0 * fewest, kMaxTexelSamples - 1.0);
     std::vector<uint32_t> result;
-    for (const PatchNoise& n : noise)
-        result.push_back(static_cast<uint32_t>(std::min(most, std::ceil(n.wanted(per_deviation, fewest) / n.open))));
+    for (const PatchNoise& n : noise) {
+        const double lines = std::ceil(n.wanted(per_deviation, fewest) / n.open - kRounding);
+        result.push_back(static_cast<uint32_t>(std::clamp(lines, 1.0 * fewest, most)));
+    }
     return result;
 }
 

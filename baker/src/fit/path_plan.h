@@ -34,12 +34,10 @@ public:
     // allow. Where a view table
     // is fitted, texels that the plan spares leave their lines to the others: a table is as large as it was.
     std::vector<uint32_t> lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const;
-    // Lines to a texel after the pilot that the settings allow in the mean.
-    uint32_t most_lines() const
-    {
-        const auto all = static_cast<uint32_t>(paths_per_texel_ * spared_);
-        return all - std::min(all, pilot_lines());
-    }
+    // Lines to a texel that the settings allow in the mean, if nothing stops them, and those of them after the pilot.
+    uint32_t mean_lines() const { return static_cast<uint32_t>(paths_per_texel_ * spared_); }
+    uint32_t most_lines() const { return after_pilot(mean_lines()); }
+    uint32_t after_pilot(uint32_t lines) const { return lines - std::min(lines, pilot_lines()); }
 
 private:
     static constexpr uint32_t kMostPilotLines = 32;

@@ -25,6 +25,7 @@ struct LightSample {
 // Veach's power heuristic with exponent 2: the weight of light that was found by one of two densities.
 inline float power_weight(float own_pdf, float other_pdf)
 {
+    if (!(own_pdf > 0)) return 0;
     const float ratio = other_pdf / own_pdf;
     return 1 / (1 + ratio * ratio);
 }

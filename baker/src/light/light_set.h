@@ -4,7 +4,8 @@
 //
 // Sky and lamps are sampled apart. Each gets its share, by power, of the samples that a point may take, but at most
 // one. So a point takes two where both matter, and mostly one where the power of one is small. Densities count all
-// samples: over all directions they add up to the number of samples that a point takes on average.
+// samples: over all directions they add up to the number of samples that a point takes on average (to fewer where the
+// sky is an even picture, whose samples find nothing).
 #pragma once
 
 #include <algorithm>

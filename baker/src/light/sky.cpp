@@ -43,6 +43,7 @@ SkyPicture::SkyPicture(std::shared_ptr<const RadiancePicture> picture, float tur
 {
     const int width = picture_->width;
     std::vector<double> brightness;
+    brightness.reserve(picture_->pixels.size());
     double sum = 0;
     for (int y = 0; y < picture_->height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -53,12 +54,11 @@ SkyPicture::SkyPicture(std::shared_ptr<const RadiancePicture> picture, float tur
     brightness_sum_ = static_cast<float>(sum) * scale;
     const double mean = sum / (4 * static_cast<double>(kPi));
     std::vector<double> rows;
+    auto own = brightness.begin();
     for (int y = 0; y < picture_->height; ++y) {
         std::vector<double> weights;
-        for (int x = 0; x < width; ++x) {
-            const double own = brightness[static_cast<size_t>(y * width + x)];
-            weights.push_back(std::max(own - mean, 0.0) * solid_angle(y, width, picture_->height));
-        }
+        for (int x = 0; x < width; ++x)
+            weights.push_back(std::max(*own++ - mean, 0.0) * solid_angle(y, width, picture_->height));
         columns_.emplace_back(weights);
         rows.push_back(columns_.back().total());
     }
@@ -173,8 +173,7 @@ SkyLight Sky::at(const Vec3& direction) const
     if (picture_) return picture_->at(direction);
     const float z = std::clamp(direction.z, -1.0f, 1.0f);
     const Rgb& pole = z > 0 ? zenith_ : nadir_;
-    return {horizon_ * (1 - std::abs(z)) + pole * std::abs(z),
-            brightness(z) / (2 * kPi * (upper_mass_ + lower_mass_))};
+    return {horizon_ * (1 - std::abs(z)) + pole * std::abs(z), brightness(z) / (2 * kPi * (upper_mass_ + lower_mass_))};
 }
 
 float Sky::power() const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The environment is a light: radiance is linear in the height of the direction, or a picture.
 //
-// The first is sampled by its brightness, a picture by how much it is brighter than its mean. So samples of a picture do
-// not find all of its light: who draws them also sends rays by his own density, and weighs both (power_weight()). Broad
-// dim light is found by such rays, with less noise. Karlík et al., "MIS Compensation: Optimizing Sampling Techniques in
-// Multiple Importance Sampling", ACM TOG 38(6), 2019, section 5.
+// The first is sampled by its brightness, a picture by how much it is brighter than its mean. So samples of a picture
+// do not find all of its light: who draws them also sends rays by his own density, and weighs both (power_weight()).
+// Broad dim light is found by such rays, with less noise. Karlík et al., "MIS Compensation: Optimizing Sampling
+// Techniques in Multiple Importance Sampling", ACM TOG 38(6), 2019, section 5.
 #pragma once
 
 #include <memory>
@@ -20,17 +20,16 @@
 namespace lumi::baker
 {
 
-// A picture of all directions as a light.
-//
-// Latitude-longitude map: the top row is the zenith, the middle column lies at azimuth 0 (the sphere's +x), and columns
-// to its right at smaller azimuths, as seen from inside. Between pixel centres the radiance is bilinear.
-
-
 // What a direction shows of the sky, and the density, in solid angle, with which samples of the sky go there.
 struct SkyLight {
     Rgb radiance;
     float pdf;
 };
+
+// A picture of all directions as a light.
+//
+// Latitude-longitude map: the top row is the zenith, the middle column lies at azimuth 0 (the sphere's +x), and columns
+// to its right at smaller azimuths, as seen from inside. Between pixel centres the radiance is bilinear.
 
 class SkyPicture
 {

@@ -15,6 +15,7 @@ Distribution::Distribution(const std::vector<double>& weights)
         sum += weight;
         cumulative_.push_back(sum);
     }
+    guide_.reserve(weights.size());
     uint32_t index = 0;
     for (size_t k = 0; k < weights.size() && sum > 0; ++k) {
         const double target = sum * static_cast<double>(k) / static_cast<double>(weights.size());

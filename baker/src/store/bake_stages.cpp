@@ -154,7 +154,9 @@ void StageFile::give_up()
 
 BakeStages::BakeStages(const std::filesystem::path& file, const Digest::Value& scene) : file_(file)
 {
+    constexpr uint32_t kFormat = 2;  // of what is kept, and what it means
     scene_.add(std::string(LUMI_VERSION));
+    scene_.add(kFormat);
     scene_.add(scene);
 }
 

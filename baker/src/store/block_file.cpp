@@ -13,7 +13,7 @@ namespace
 
 constexpr char kMagic[] = "LUMIROWS";
 constexpr size_t kMagicBytes = sizeof kMagic - 1;
-constexpr uint32_t kVersion = 9;
+constexpr uint32_t kVersion = 10;
 
 std::vector<uint8_t> read_head(const PosixFile& file)
 {
@@ -62,8 +62,7 @@ uint32_t BlockFile::seal(uint32_t number, const std::vector<uint8_t>& bytes) con
 {
     ByteWriter prefix;
     prefix.put32(number);
-    return checksum(checksum(head_crc_, prefix.bytes().data(), prefix.bytes().size()), bytes.data(),
-                         bytes.size());
+    return checksum(checksum(head_crc_, prefix.bytes().data(), prefix.bytes().size()), bytes.data(), bytes.size());
 }
 
 bool BlockFile::read(const Block& block, std::vector<uint8_t>& bytes) const

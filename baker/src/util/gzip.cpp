@@ -87,6 +87,7 @@ constexpr size_t kSizeBytes = 8;  // before the packed bytes, how many they were
 
 uint32_t checksum(uint32_t previous, const uint8_t* bytes, size_t size)
 {
+    if (size == 0) return previous;  // zlib begins anew where there are no bytes
     return static_cast<uint32_t>(crc32_z(previous, bytes, size));
 }
 

@@ -108,6 +108,7 @@ TEST_CASE("more lines go where light is noisy, or where few lines bring any", "[
     const std::vector<uint32_t> alike = planned_lines(kPilotLines, 0.1f), noisy = planned_lines(kPilotLines, 0.3f),
                                 hidden = planned_lines(kPilotLines / 4, 0.1f);
     CHECK(alike[0] == Approx(alike[1]).epsilon(0.1));
+    for (const uint32_t lines : noisy) CHECK(lines >= kPilotLines);  // the pilot's are among them
     CHECK(noisy[0] > 2 * noisy[1]);
     CHECK(hidden[0] > hidden[1] * 3 / 2);
     CHECK(planned_lines(1, 10, 0)[0] <= 32 * 60);  // however little noise there is elsewhere

@@ -42,8 +42,8 @@ TEST_CASE("sky: its pdf integrates to one and its samples follow it")
             const float z = -1 + (static_cast<float>(h) + 0.5f) * 2 / (kSkyHeights * kFine);
             for (int t = 0; t < kSkyTurns; ++t) {
                 const Vec3 d = direction_at(z, (static_cast<float>(t) + 0.5f) / kSkyTurns);
-                const double share =
-                    static_cast<double>(sky.at(d).pdf) * 4 * static_cast<double>(kPi) / (kSkyHeights * kFine * kSkyTurns);
+                const double share = static_cast<double>(sky.at(d).pdf) * 4 * static_cast<double>(kPi) /
+                                     (kSkyHeights * kFine * kSkyTurns);
                 expected[sky_bin(d)] += share * kSamples;
                 total += share;
             }

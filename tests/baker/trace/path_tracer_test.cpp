@@ -49,6 +49,32 @@ TEST_CASE("path tracer: a convex diffuse body in constant light has radiance alb
     }
 }
 
+// Samples of a picture go to what is brighter than its mean, rays by the surface find the rest.
+TEST_CASE("path tracer: a floor under a sky's picture sends back all of its light, of a sun as of an even sky")
+{
+    for (const float sun : {100.0f, 0.5f, 0.2f}) {
+        auto picture = std::make_shared<RadiancePicture>(RadiancePicture{16, 8, std::vector<Rgb>(16 * 8, grey(0.2f))});
+        picture->pixels[2 * 16 + 5] = grey(sun);
+        Environment sky;
+        sky.picture = picture;
+        SceneMaker maker;
+        maker.quad(maker.add(testing::diffuse(grey(0.6f))), {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0},
+                   {-0.5f, 0.5f, 0});
+        const Scene scene = maker.make(sky);
+        double expected = 0;
+        constexpr int kHeights = 500, kTurns = 1000;
+        for (int k = 0; k < kHeights * kTurns; ++k) {
+            const float z = (static_cast<float>(k / kTurns) + 0.5f) / kHeights;
+            const Vec3 way = direction_at(z, (static_cast<float>(k % kTurns) + 0.5f) / kTurns);
+            expected +=
+                static_cast<double>(0.6f * scene.data().lights.sky(way).radiance.g * 2 * z) / (kHeights * kTurns);
+        }
+        const Mean mean = along(scene, {{0.1f, 0.2f, 0.8f}, normalized(Vec3{0.1f, 0, -1})}, 20000);
+        CAPTURE(sun, expected, mean.value(), mean.error());
+        CHECK(mean.value() == Approx(expected).margin(kSigmas * mean.error() + 2e-3 * expected));
+    }
+}
+
 TEST_CASE("path tracer: white surfaces in white light stay at most white, whatever they are made of")
 {
     for (const float alpha : {0.01f, 0.1f, 0.4f, 1.0f}) {

@@ -279,8 +279,8 @@ BakeProgress::BakeProgress(const BakeOptions& options)
 
 void BakeProgress::expect(size_t triangles, uint64_t bytes)
 {
-    constexpr double kMeshWork = 9, kLeastMesh = 5e5;                              // of a triangle, of any scene
-    constexpr double kTexelBytes = 1.5, kMostTexels = 1 << 20, kOtherPaths = 100;  // of a texel, besides --paths
+    constexpr double kMeshWork = 9, kLeastMesh = 5e5;                             // of a triangle, of any scene
+    constexpr double kTexelBytes = 1.5, kMostTexels = 1 << 20, kOtherPaths = 70;  // of a texel, besides --paths
     const double texels = std::min(static_cast<double>(bytes) / kTexelBytes, kMostTexels);
     const double paths = kOtherPaths + options_.surface.paths_per_texel;
     const bool bakes = !options_.fit.plan_only, measures = bakes && options_.shard.empty();

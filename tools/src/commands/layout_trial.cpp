@@ -9,7 +9,8 @@ namespace lumi::tools
 namespace
 {
 
-constexpr uint32_t kTrialPaths = 4;  // light paths a texel: at the few dB that are in doubt, noise does not decide
+constexpr uint32_t kTrialPaths = 4;  // light paths a texel, where a pilot does not trace more: at the few dB that are
+                                     // in doubt, noise does not decide
 
 class TrialFolder
 {

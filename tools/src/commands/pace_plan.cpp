@@ -13,7 +13,7 @@ namespace lumi::tools
 namespace
 {
 
-constexpr uint32_t kTrialPaths = 4;  // light paths a texel: all trials have the same noise
+constexpr uint32_t kTrialPaths = 4;  // light paths a texel: the pilot's are enough
 constexpr int kTrialPoses = 40;      // that are drawn to rate a mesh
 constexpr uint32_t kFewestTriangles = 200;
 constexpr int kMostRefined = 3;       // meshes between those of ever fewer triangles

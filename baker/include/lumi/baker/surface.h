@@ -25,7 +25,7 @@ struct SurfaceSettings {
     uint32_t triangles = 4000;      // about so many before edges are split
     float longest_edge = 0.2f;      // edges longer than this are split, in radii
     float texels_per_radius = 100;  // texels along a line of one radius, in the mean
-    uint32_t paths_per_texel = 50;  // light paths, in the mean, the pilot's among them
+    uint32_t paths_per_texel = 50;  // light paths, in the mean; never fewer than the pilot's
     // Share of the sphere around the scene, its uppermost part, from which eyes at any distance look. What none of them
     // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
     float cap = 1;
@@ -117,7 +117,7 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
 // A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
-// Disk, for fields of the usual size at most 200 MB: first the pilot's paths, about 30 bytes each, then twice the sums.
+// Disk, for fields of the usual size at most 200 MB: first the pilot's paths, about 42 bytes each, then twice the sums.
 // Throws BakeError, Cancelled; either way both stay.
 SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
