@@ -117,7 +117,7 @@ SurfaceBake surface_field(const Scene& scene, const SurfacePlan& plan, const Pro
 // Writes `output` when all is done, as bake_field does: until then an earlier file of that name stays as it was. The
 // checkpoint keeps the mesh and the sums of what is traced, written every few seconds and when a bake is cancelled.
 // A file of stages beside it keeps the parts of mesh, pilot and solution that are done.
-// Disk, for fields of the usual size at most 200 MB: first the pilot's paths, about 42 bytes each, then twice the sums.
+// Disk, for fields of the usual size at most 300 MB: first the pilot's paths, about 42 bytes each, then twice the sums.
 // Throws BakeError, Cancelled; either way both stay.
 SurfaceBake bake_surface(const Scene& scene, const SurfacePlan& plan, const std::filesystem::path& output,
                          const ProgressCallback& progress = {}, Earlier earlier = Earlier::resume);
