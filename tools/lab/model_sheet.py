@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Bakes models that people have, and draws them beside path-traced pictures.
 
-model_sheet.py FOLDER [NAME...] [--people [1-60]] [--paths 50] [--fit 250kB] [--lumi PROGRAM]
+model_sheet.py FOLDER [NAME...] [--people [1-60]] [--paths 60] [--fit 250kB] [--lumi PROGRAM]
 
 FOLDER holds the models of MODELS below (Debian: python3-matplotlib):
     npm pack @webxr-input-profiles/assets@1.0.20 && tar xzf webxr*.tgz                     (as `package`)
@@ -149,7 +149,7 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("names", nargs="*", metavar="NAME")
     parser.add_argument("--people", type=ranks, nargs="?", const=(1, 60), metavar="FIRST-LAST")
-    parser.add_argument("--paths", default="50")
+    parser.add_argument("--paths", default="60")
     parser.add_argument("--fit", default="250kB")
     parser.add_argument("--lumi", default=str(ROOT / "build/release/tools/lumi"))
     options = parser.parse_args()

@@ -22,7 +22,6 @@ struct PatchNoise {
     double texels = 0, open = 0;
     double own = 0, tables = 0;  // standard deviations of a path: in a texel's colour, and in what tables are fitted to
     double share = 1;            // of the mean patch's texels: tables of small ones are as large
-    double fewest = 0;           // paths to a texel, the pilot's among them
     bool viewed = false;         // at least one corner has a table
 
     // Paths to a texel, so many times its deviation.
@@ -30,7 +29,7 @@ struct PatchNoise {
     {
         const double deviation = kOwnPart * own + tables / std::sqrt(share);
         const double enough = (own + tables) / kQuiet;
-        return std::max(fewest, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
+        return std::max(kFewestPaths, std::min(enough * enough, per_deviation * std::sqrt(open) * deviation));
     }
 };
 
@@ -76,7 +75,6 @@ std::vector<PatchNoise> noise_of(const FitSums& pilot, const std::vector<uint8_t
         PatchNoise n;
         n.texels = static_cast<double>(pilot.patches()[p].texels.size());
         n.open = std::clamp(s.paths / (n.texels * lines), kLeastOpen, 1.0);
-        n.fewest = std::max(kFewestPaths, n.open * lines);
         n.share = n.texels / usual;
         n.own = std::sqrt((s.own + kPrior * all.own / paths) / (s.paths + kPrior));
         n.tables = std::sqrt((s.tables + kPrior * all.tables / paths) / (s.paths + kPrior));
@@ -125,17 +123,15 @@ PathPlan::PathPlan(const SurfaceSettings& settings, const Shard& shard, const Fi
 std::vector<uint32_t> PathPlan::lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const
 {
     const std::vector<PatchNoise> noise = noise_of(pilot, viewed, pilot_lines());
-    constexpr double kRounding = 1e-9;  // of a quotient that is whole
-    const double fewest = pilot_lines();
     double paths = 0;
     for (const PatchNoise& n : noise) paths += paths_per_texel_ * n.texels * (n.viewed ? spared_ : 1);
     const double per_deviation = paths_per_deviation(noise, paths);
-    const double most = std::clamp(kMostOfMean * spared_ * paths_per_texel_, fewest, kMaxTexelSamples - 1.0);
+    const double most =
+        std::clamp(kMostOfMean * spared_ * paths_per_texel_, 1.0 * pilot_lines(), kMaxTexelSamples - 1.0);
     std::vector<uint32_t> result;
-    for (const PatchNoise& n : noise) {
-        const double lines = std::ceil(n.wanted(per_deviation) / n.open - kRounding);
-        result.push_back(static_cast<uint32_t>(std::clamp(lines, fewest, most)));
-    }
+    for (const PatchNoise& n : noise)
+        result.push_back(
+            static_cast<uint32_t>(std::clamp(std::ceil(n.wanted(per_deviation) / n.open), 1.0 * pilot_lines(), most)));
     return result;
 }
 

@@ -31,8 +31,8 @@ public:
     uint32_t batch(uint32_t k) const { return k * shard_.count + shard_.index - 1; }
 
     // By patch, the lines to each of its texels, the pilot's among them: as many as its noise needs and the settings
-    // allow. Where a view table is fitted, texels that the plan spares leave their lines to the others: a table is as
-    // large as it was.
+    // allow, and where that is less, the pilot's, which take nothing from the others. Where a view table is fitted,
+    // texels that the plan spares leave their lines to the others: a table is as large as it was.
     std::vector<uint32_t> lines(const FitSums& pilot, const std::vector<uint8_t>& viewed) const;
     // Lines to a texel that the settings allow in the mean, if nothing stops them, and those of them after the pilot.
     uint32_t mean_lines() const { return static_cast<uint32_t>(paths_per_texel_ * spared_); }

@@ -25,7 +25,7 @@ struct SurfaceSettings {
     uint32_t triangles = 4000;      // about so many before edges are split
     float longest_edge = 0.2f;      // edges longer than this are split, in radii
     float texels_per_radius = 100;  // texels along a line of one radius, in the mean
-    uint32_t paths_per_texel = 50;  // light paths, in the mean; never fewer than the pilot's
+    uint32_t paths_per_texel = 60;  // light paths, in the mean; never fewer than the pilot's
     // Share of the sphere around the scene, its uppermost part, from which eyes at any distance look. What none of them
     // sees is left out; from elsewhere, what is there is drawn, and the rest is absent.
     float cap = 1;
