@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # This is the one list that says which test runs where. `tools/test.sh` runs each file of tests in one tree: under
-# sanitizers, or, where it needs speed, without (LUMI_TEST_SHORT). `tools/test.sh --all` (LUMI_TEST_ALL) runs every file in
-# both trees, and all that is left out below. A tree that is configured by hand without either option has every test
-# that its compiler can run. docs/log/tests.md says what each group protects.
+# sanitizers, or, where it needs speed, without (LUMI_TEST_SHORT). `tools/test.sh --all` (LUMI_TEST_ALL) runs every file
+# without sanitizers, and all that is left out below. A tree that is configured by hand without either option has every
+# test that its compiler can run. docs/log/tests.md says what each group protects.
 set(LUMI_SHORT OFF)
-if((LUMI_TEST_SHORT OR LUMI_SANITIZE) AND NOT LUMI_TEST_ALL)
+if(LUMI_SANITIZE OR (LUMI_TEST_SHORT AND NOT LUMI_TEST_ALL))
   set(LUMI_SHORT ON)
 endif()
 
@@ -27,8 +27,8 @@ set(LUMI_UNIT_TEST_BOARD_FILES math/math_test field/field_test chord/reads_test 
 # Boards have no threads, so they never run these.
 set(LUMI_UNIT_TEST_THREAD_FILES surface/halves_threads_test)
 
-# Policies whose symbols and stacks the proof reads: all; every pair of two choices; each reconstruction once. `--all` reads
-# all on the boards that run unit tests, pairs on the others.
+# Policies whose symbols and stacks the proof reads: every pair of two choices; each reconstruction once. `--all` reads
+# all of them on the boards that run unit tests.
 set(LUMI_POLICIES_cortex-m0plus pairs)
 set(LUMI_POLICIES_cortex-m4 pairs)
 set(LUMI_POLICIES_cortex-m3 each)
@@ -108,7 +108,7 @@ endforeach()
 # Tests with these tags are not run under sanitizers: they bake one scene again and again (stopped, killed, in shards), or
 # compare pictures and meshes of several bakes.
 set(LUMI_TEST_SPEC)
-if(LUMI_SANITIZE AND LUMI_SHORT)
+if(LUMI_SANITIZE)
   set(LUMI_TEST_SPEC "~[repeated]~[statistics]")
 endif()
 

@@ -4,9 +4,9 @@
 # Builds the tool and the tests with warnings as errors and runs the tests: each file of them on the host under
 # AddressSanitizer and UndefinedBehaviorSanitizer or, where it needs speed, without; and on emulated Cortex-M boards.
 # Checks by clang-tidy the sources that changed most in the last commits. Installs missing packages when run as root.
-# --all adds what tests/scope.cmake leaves out: every test in both trees, the laboratory, every policy and unit test on
-# two boards, every frame on every board, every failure on purpose, clang-format, clang-tidy (which reads file by file and so shows missing
-# includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples'
+# --all adds what tests/scope.cmake leaves out: every test without sanitizers, the laboratory, every policy and unit
+# test on two boards, every frame on every board, every failure on purpose, clang-format, clang-tidy (which reads file by
+# file and so shows missing includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples'
 # pages, and the page of `lumi view` in Chromium. There a missing tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -31,10 +31,10 @@ join_trees() {
   printf 'subdirs(release host-sanitize)\n' >"$root/build/CTestTestfile.cmake"
 }
 
-# check_with_clang_tidy [FILE...]: sources of our own that the host's build compiles, all if none is named, checked by
-# .clang-tidy; precompiled headers are GCC's.
+# check_with_clang_tidy [FILE...]: sources of our own that the host's build compiles, all of the product if none is named,
+# checked by .clang-tidy; precompiled headers are GCC's.
 check_with_clang_tidy() {
-  local files="(core|baker|tools|platform|tests)/.*\.cpp"
+  local files="(core|baker|tools|platform)/.*\.cpp"
   if (($# > 0)); then files="($(IFS='|' && echo "$*"))"; fi
   command -v run-clang-tidy >/dev/null || die "clang-tidy is missing"
   (
@@ -132,7 +132,7 @@ main() {
   parse_arguments "$@"
   run_step "Packages" "$root/tools/install_packages.sh" "$packages"
   run_step "Build for the host" build_preset host -DLUMI_TEST_ALL="$all" -DLUMI_TEST_SHORT=ON
-  run_step "Build for the host, with sanitizers" build_preset host-sanitize -DLUMI_TEST_ALL="$all"
+  run_step "Build for the host, with sanitizers" build_preset host-sanitize
   if [[ $all == ON ]]; then
     run_step "clang-format" check_format
     run_step "cppcheck" check_with_cppcheck
