@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "fit/fit_shape.h"
+#include "fit/gloss/map_choices.h"
 #include "image/tone.h"
 #include "lumi/baker/reference.h"
 #include "lumi/baker/surface.h"
@@ -168,6 +169,54 @@ TEST_CASE("a lacquered ball mirrors soft boxes by a gloss map, which takes most 
     plan.settings.draft = false;
     plan.settings.threads = 1;
     CHECK((surface_field(scene, plan).file == with.file));
+}
+
+TEST_CASE("patches of a material that mirror more and less get maps of their own", "[fit]")
+{
+    const Scene scene = lacquered_ball(studio_environment());
+    const SurfacePlan plan = gloss_plan(scene);
+    const PatchMesh& mesh = plan.mesh->mesh;
+    const FitShape shape(mesh, std::vector<float>(mesh.patches.size(), 12));
+    Sampler sampler(3, 1, 4);
+    std::vector<GlossLine> lines;
+    for (uint32_t k = 0; k < 30 * mesh.patches.size(); ++k) {
+        sampler.start(k);
+        const uint32_t patch = k / 30;
+        const Vec3 normal = mesh.normals[shape.vertex(patch, 0)];
+        lines.push_back({2 * patch,
+                         patch,
+                         0,
+                         0.3f,
+                         0.3f,
+                         normalized(normal + square_to_sphere(sampler.next_2d())) * 3,
+                         normal,
+                         {},
+                         0});
+    }
+    const std::vector<uint8_t> all(mesh.patches.size(), 1);
+    const GlossEquations equations(shape, lines, mesh.normals, all, 1);
+    GlossColours unknowns(equations.unknowns());
+    for (size_t k = equations.nodes(); k < unknowns.size(); ++k)
+        unknowns[k] = {static_cast<float>(k % 7) * 10, static_cast<float>(k % 5) * 10, 3};
+    GlossColours levels = equations.shown(unknowns);
+    for (size_t k = 0; k < lines.size(); ++k) {
+        const float factor = lines[k].texel % 2 == 0 ? 1.6f : 0.1f;
+        for (float& level : levels[k]) level *= factor;
+    }
+    const std::vector<uint8_t> split = split_choices(equations, unknowns, levels, lines, all, 2);
+    for (size_t p = 0; p < split.size(); ++p) CHECK(split[p] == p % 2 + 1);
+    CHECK(split_choices(equations, unknowns, levels, lines, all, 1) == all);
+    CHECK(split_choices(equations, unknowns, equations.shown(unknowns), lines, all, 2) == all);
+    // Apart from each other each takes what suits it; side by side they rather take the same.
+    PatchMesh apart = mesh;
+    for (PatchMesh::Patch& p : apart.patches) p = {0, 0, 0, 0};
+    const std::vector<uint8_t> chosen = choices_among({1}, equations, unknowns, levels, lines, apart, all);
+    for (size_t p = 0; p < chosen.size(); ++p) CHECK(chosen[p] == (p + 1) % 2);
+    GlossColours all_but_one = equations.shown(unknowns);
+    for (size_t k = 0; k < lines.size(); ++k)
+        if (lines[k].texel == 7) all_but_one[k] = {0, 0, 0};
+    CHECK(choices_among({1}, equations, unknowns, all_but_one, lines, apart, all)[7] == 0);
+    CHECK(choices_among({1}, equations, unknowns, all_but_one, lines, mesh, all)[7] == 1);
 }
 
 TEST_CASE("gloss maps keep to the limits of bytes and of RAM: as many are fitted as there is room for", "[fit]")

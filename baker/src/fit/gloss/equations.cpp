@@ -76,12 +76,32 @@ double squares(const GlossColours& colours)
     return p[0] + p[1] + p[2];
 }
 
+std::vector<size_t> texel_begins(const std::vector<GlossLine>& lines)
+{
+    std::vector<size_t> begins;
+    for (size_t k = 0; k < lines.size(); ++k)
+        if (k == 0 || lines[k].texel != lines[k - 1].texel) begins.push_back(k);
+    begins.push_back(lines.size());
+    return begins;
+}
+
+void take_means(const std::vector<size_t>& begins, GlossColours& y)
+{
+    for (size_t t = 0; t + 1 < begins.size(); ++t) {
+        LevelColour mean{};
+        const float share = 1 / static_cast<float>(begins[t + 1] - begins[t]);
+        for (size_t k = begins[t]; k < begins[t + 1]; ++k) add(mean, y[k], share);
+        for (size_t k = begins[t]; k < begins[t + 1]; ++k) y[k] = difference(y[k], mean);
+    }
+}
+
 template <class Function>
 void GlossEquations::each_unknown(const Row& r, Function f) const
 {
     for (size_t k = 0; k < r.nodes.size(); ++k) f(r.nodes[k], r.weights[k]);
-    if (map_texels_ == 0) return;
-    for (size_t k = 0; k < r.texels.size(); ++k) f(nodes_ + r.texels[k], r.shares[k]);
+    if (map_texels_ == 0 || r.map == 0) return;
+    const size_t first = nodes_ + (r.map - 1u) * kGlossTexels;
+    for (size_t k = 0; k < r.texels.size(); ++k) f(first + r.texels[k], r.shares[k]);
 }
 
 GlossEquations::GlossEquations(const FitShape& shape, const std::vector<GlossLine>& lines,
@@ -89,12 +109,10 @@ GlossEquations::GlossEquations(const FitShape& shape, const std::vector<GlossLin
     : nodes_(shape.mesh.positions.size() * kViewNodes),
       map_texels_(maps * kGlossTexels),
       node_pairs_(node_neighbours()),
-      texel_pairs_(texel_neighbours())
+      texel_pairs_(texel_neighbours()),
+      begins_(texel_begins(lines))
 {
     for (const GlossLine& l : lines) rows_.push_back(row_of(shape, l, normals, choices[l.triangle / 2]));
-    for (size_t k = 0; k < lines.size(); ++k)
-        if (k == 0 || lines[k].texel != lines[k - 1].texel) begins_.push_back(k);
-    begins_.push_back(lines.size());
     for (size_t k = 0; k < unknowns(); ++k) diagonal_.push_back(k < nodes_ ? kNodeWorth + 6 * kNodeBend : 4 * kMapBend);
     for (const Row& r : rows_)
         each_unknown(r, [&](size_t unknown, float weight) { diagonal_[unknown] += weight * weight; });
@@ -119,10 +137,9 @@ GlossEquations::Row GlossEquations::row_of(const FitShape& shape, const GlossLin
     }
     if (choice == 0) return row;
     const GlossTaps taps = gloss_taps(corners, l.eye);
-    for (size_t k = 0; k < 4; ++k) {
-        row.texels[k] = (choice - 1u) * kGlossTexels + taps.texels[k];
-        row.shares[k] = taps.weights[k];
-    }
+    row.texels = taps.texels;
+    row.shares = taps.weights;
+    row.map = choice;
     return row;
 }
 
@@ -137,18 +154,18 @@ GlossColours GlossEquations::summed(const GlossColours& x) const
 GlossColours GlossEquations::shown(const GlossColours& x) const
 {
     GlossColours y = summed(x);
-    take_means(y);
+    take_means(begins_, y);
     return y;
 }
 
-void GlossEquations::take_means(GlossColours& y) const
+GlossColours GlossEquations::shown_by_map(const GlossColours& x, uint32_t map) const
 {
-    for (size_t t = 0; t + 1 < begins_.size(); ++t) {
-        LevelColour mean{};
-        const float share = 1 / static_cast<float>(begins_[t + 1] - begins_[t]);
-        for (size_t k = begins_[t]; k < begins_[t + 1]; ++k) add(mean, y[k], share);
-        for (size_t k = begins_[t]; k < begins_[t + 1]; ++k) y[k] = difference(y[k], mean);
-    }
+    GlossColours y(rows_.size());
+    for (size_t k = 0; k < rows_.size(); ++k)
+        for (size_t n = 0; n < rows_[k].texels.size(); ++n)
+            add(y[k], x[nodes_ + map * kGlossTexels + rows_[k].texels[n]], rows_[k].shares[n]);
+    take_means(begins_, y);
+    return y;
 }
 
 GlossColours GlossEquations::gathered(const GlossColours& y) const

@@ -17,10 +17,15 @@ void add(LevelColour& sum, const LevelColour& c, float weight);
 LevelColour difference(const LevelColour& a, const LevelColour& b);
 double squares(const GlossColours& colours);  // of all channels
 
+// Where the lines of each texel begin, and the end. Lines of a texel follow each other.
+std::vector<size_t> texel_begins(const std::vector<GlossLine>& lines);
+// Takes the mean of each texel off its lines.
+void take_means(const std::vector<size_t>& begins, GlossColours& lines);
+
 class GlossEquations
 {
 public:
-    // `choices` by patch: 0, or its map from 1 on. Lines of a texel follow each other.
+    // `choices` by patch: 0, or its map from 1 on.
     GlossEquations(const FitShape& shape, const std::vector<GlossLine>& lines, const std::vector<Vec3>& normals,
                    const std::vector<uint8_t>& choices, uint32_t maps);
 
@@ -31,7 +36,8 @@ public:
     // What unknowns make of the lines; and the same less the mean of each texel.
     GlossColours summed(const GlossColours& unknowns) const;
     GlossColours shown(const GlossColours& unknowns) const;
-    void take_means(GlossColours& lines) const;
+    // What lines that have a map would show if all had this one, from 0 on, and no nodes.
+    GlossColours shown_by_map(const GlossColours& unknowns, uint32_t map) const;
     // The transpose of shown().
     GlossColours gathered(const GlossColours& lines) const;
     // Adds what keeps neighbours alike.
@@ -42,8 +48,9 @@ private:
     struct Row {
         std::array<uint32_t, 9> nodes;
         std::array<float, 9> weights;
-        std::array<uint32_t, 4> texels;  // of all maps
+        std::array<uint16_t, 4> texels;  // of a map
         std::array<float, 4> shares;     // 0 without a map
+        uint8_t map;                     // its number from 1 on, or 0
     };
     // Two unknowns of a vertex, or of a map, that lie beside each other.
     using Pair = std::pair<uint32_t, uint32_t>;
@@ -52,10 +59,10 @@ private:
     template <class Function>
     void each_unknown(const Row& row, Function f) const;
 
-    const size_t nodes_, map_texels_;
-    const std::vector<Pair> node_pairs_, texel_pairs_;
-    std::vector<Row> rows_;
+    size_t nodes_, map_texels_;
+    std::vector<Pair> node_pairs_, texel_pairs_;
     std::vector<size_t> begins_;  // rows of a texel, and the end
+    std::vector<Row> rows_;
     std::vector<float> diagonal_;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/gloss/equations.h"
+#include "fit/gloss/map_choices.h"
 #include "lumi/surface/format.h"
 
 namespace lumi::baker
@@ -14,10 +14,11 @@ namespace
 {
 
 using Colours = GlossColours;
+using Choices = std::vector<uint8_t>;
 constexpr uint32_t kTexels = kGlossTexels;
-constexpr uint8_t kNoMap = 0;
 
-// Mean normals of the lines at the vertices, in the sense of least squares over the triangles: by Jacobi's method.
+// Mean normals of the lines at the vertices, in the sense of least squares over
+// the triangles: by Jacobi's method.
 std::vector<Vec3> normals_of(const FitShape& shape, const std::vector<GlossLine>& lines)
 {
     constexpr int kRounds = 25;
@@ -47,47 +48,15 @@ std::vector<Vec3> normals_of(const FitShape& shape, const std::vector<GlossLine>
     return normals;
 }
 
-// Two problems that are solved side by side.
-struct GlossSteps {
-    GlossGradients with, without;
+// A solution of the lines that are fitted.
+struct Solution {
+    GlossEquations equations;
+    Choices choices;
+    Colours unknowns;
 };
 
-template <class Io>
-void fields(Io& io, GlossSteps& steps)
-{
-    io(steps.with, steps.without);
-}
-
-bool are_of(const GlossGradients& g, const GlossEquations& equations)
-{
-    const size_t unknowns = equations.unknowns();
-    return g.unknowns.size() == unknowns && g.residual.size() == unknowns && g.direction.size() == unknowns;
-}
-
-// The unknowns with maps and without.
-GlossSteps solved_both(const GlossEquations& with, const GlossEquations& without, const Colours& levels,
-                       BakeStages& stages, Job& job)
-{
-    constexpr uint32_t kRounds = 30, kRoundsAtOnce = 5;
-    const GlossSolver solvers[] = {GlossSolver(with, levels), GlossSolver(without, levels)};
-    const auto require_shape = [&](const GlossSteps& s) {
-        stages.require_shape(are_of(s.with, with) && are_of(s.without, without));
-    };
-    const auto advance = [&](uint32_t k, GlossSteps& steps) {
-        if (k != 0) require_shape(steps);
-        job.run(2, [&](uint32_t one) {
-            GlossGradients& g = one == 0 ? steps.with : steps.without;
-            if (k == 0) g = solvers[one].begun();
-            for (uint32_t round = 0; round < kRoundsAtOnce; ++round) solvers[one].advance(g);
-        });
-        return true;
-    };
-    GlossSteps steps = stages.in_steps<GlossSteps>("gloss", kRounds / kRoundsAtOnce, advance);
-    require_shape(steps);
-    return steps;
-}
-
-// The direction in which colours differ most, of unit length, its sum positive: by the power method.
+// The direction in which colours differ most, of unit length, its sum positive:
+// by the power method.
 LevelColour main_direction(const Colours& colours)
 {
     constexpr int kRounds = 30;
@@ -103,7 +72,8 @@ LevelColour main_direction(const Colours& colours)
     return direction;
 }
 
-// A map's colours as one colour times bytes. Where it is darkest it adds nothing: texels have the rest.
+// A map's colours as one colour times bytes. Where it is darkest it adds
+// nothing: texels have the rest.
 GlossMap map_of(Colours colours, float& range)
 {
     LevelColour mean{};
@@ -127,65 +97,17 @@ GlossMap map_of(Colours colours, float& range)
     return map;
 }
 
-// By patch: the map of the material that most lines to it meet. The materials that most lines meet get a map, numbered
-// from 1.
-std::vector<uint8_t> choices_of(const GlossLines& all, size_t materials, uint32_t most)
-{
-    const std::vector<GlossLine>& lines = all.lines;
-    std::vector<size_t> count(materials);
-    for (const GlossLine& l : lines) ++count[l.material];
-    std::vector<uint32_t> order(materials);
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return count[a] > count[b]; });
-    std::vector<uint8_t> map_of_material(materials, kNoMap);
-    for (uint32_t k = 0; k < std::min(most, detail::format::kMaxGlossMaps) && k < materials; ++k)
-        if (count[order[k]] != 0) map_of_material[order[k]] = static_cast<uint8_t>(k + 1);
-    std::vector<std::array<uint32_t, detail::format::kMaxGlossMaps + 1>> votes(all.others.size());
-    for (size_t p = 0; p < votes.size(); ++p) votes[p][kNoMap] = all.others[p];
-    for (const GlossLine& l : lines) ++votes[l.triangle / 2][map_of_material[l.material]];
-    std::vector<uint8_t> choices;
-    for (const auto& v : votes)
-        choices.push_back(static_cast<uint8_t>(std::max_element(v.begin(), v.end()) - v.begin()));
-    return choices;
-}
-
 // What each map alone adds to the lines, squared.
-std::vector<double> shares_of_maps(const GlossEquations& e, const Colours& unknowns)
+std::vector<double> shares_of_maps(const Solution& s)
 {
     std::vector<double> shares;
-    for (size_t first = e.nodes(); first < unknowns.size(); first += kTexels) {
-        Colours alone(unknowns.size());
-        std::copy_n(unknowns.begin() + static_cast<std::ptrdiff_t>(first), kTexels,
+    for (size_t first = s.equations.nodes(); first < s.unknowns.size(); first += kTexels) {
+        Colours alone(s.unknowns.size());
+        std::copy_n(s.unknowns.begin() + static_cast<std::ptrdiff_t>(first), kTexels,
                     alone.begin() + static_cast<std::ptrdiff_t>(first));
-        shares.push_back(squares(e.shown(alone)));
+        shares.push_back(squares(s.equations.shown(alone)));
     }
     return shares;
-}
-
-// Keeps maps that show something beside the others, numbered anew.
-Gloss kept_maps(const GlossEquations& e, const Colours& unknowns, std::vector<uint8_t> choices,
-                std::vector<Vec3> normals)
-{
-    constexpr float kLeastRange = 16;     // levels along the main direction
-    constexpr double kLeastShare = 0.15;  // of what all add
-    const size_t nodes = e.nodes();
-    const std::vector<double> shares = shares_of_maps(e, unknowns);
-    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
-    Gloss gloss;
-    std::array<uint8_t, detail::format::kMaxGlossMaps + 1> numbers{};
-    for (size_t k = 0; nodes + (k + 1) * kTexels <= unknowns.size(); ++k) {
-        float range = 0;
-        const auto begin = unknowns.begin() + static_cast<std::ptrdiff_t>(nodes + k * kTexels);
-        GlossMap map = map_of(Colours(begin, begin + kTexels), range);
-        if (range < kLeastRange || shares[k] < kLeastShare * all) continue;
-        gloss.maps.push_back(std::move(map));
-        numbers[k + 1] = static_cast<uint8_t>(gloss.maps.size());
-    }
-    if (!gloss.is_there()) return {};
-    for (uint8_t& choice : choices) choice = numbers[choice];
-    gloss.choices = std::move(choices);
-    gloss.normals = std::move(normals);
-    return gloss;
 }
 
 // Lines that are fitted, and others that judge.
@@ -222,7 +144,8 @@ std::vector<TexelMean> texel_means(const std::vector<GlossLine>& fitted, const G
     return means;
 }
 
-// The squared error of judging lines to texels that have fitted ones, less what noise makes of it.
+// The squared error of judging lines to texels that have fitted ones, less what
+// noise makes of it.
 double judged(const SplitLines& lines, const GlossColours& shown, const GlossColours& shown_to_judge, uint32_t texels)
 {
     const std::vector<TexelMean> means = texel_means(lines.fitted, shown, texels);
@@ -236,6 +159,111 @@ double judged(const SplitLines& lines, const GlossColours& shown, const GlossCol
         sum += squares({off}) - static_cast<double>(line.noise * (1 + 1 / mean.lines));
     }
     return sum;
+}
+
+// Solves the problem with maps for these and those patches.
+class GlossTrials
+{
+public:
+    GlossTrials(const FitShape& shape, const std::vector<GlossLine>& all, BakeStages& stages, Job& job)
+        : shape_(shape),
+          normals_(normals_of(shape, all)),
+          lines_(all),
+          levels_(levels_of(lines_.fitted)),
+          stages_(stages),
+          job_(job)
+    {
+        take_means(texel_begins(lines_.fitted), levels_);
+    }
+
+    // For each of these choices, side by side. What they are is kept under the name.
+    std::vector<Solution> solved(const char* name, const std::vector<Choices>& choices) const
+    {
+        std::vector<Solution> result;
+        for (const Choices& c : choices) result.push_back({equations(lines_.fitted, c), c, {}});
+        solve(name, result);
+        return result;
+    }
+
+    // Of the lines that judge.
+    double error(const Solution& s) const
+    {
+        return judged(lines_, s.equations.summed(s.unknowns), equations(lines_.judging, s.choices).summed(s.unknowns),
+                      shape_.layout.texels);
+    }
+
+    Choices split(const Solution& s, uint32_t most) const
+    {
+        return split_choices(s.equations, s.unknowns, levels_, lines_.fitted, s.choices, most);
+    }
+
+    // Keeps maps that show something beside the others, numbered anew.
+    Gloss kept_maps(const Solution& s) const;
+
+private:
+    GlossEquations equations(const std::vector<GlossLine>& of, const Choices& choices) const
+    {
+        return GlossEquations(shape_, of, normals_, choices, *std::max_element(choices.begin(), choices.end()));
+    }
+    void solve(const char* name, std::vector<Solution>& solutions) const;
+
+    const FitShape& shape_;
+    const std::vector<Vec3> normals_;
+    const SplitLines lines_;
+    Colours levels_;  // of fitted lines, less the mean of each texel
+    BakeStages& stages_;
+    Job& job_;
+};
+
+void GlossTrials::solve(const char* name, std::vector<Solution>& solutions) const
+{
+    constexpr uint32_t kRounds = 30, kRoundsAtOnce = 5;
+    using Steps = std::vector<GlossGradients>;
+    const auto is_of = [](const GlossGradients& g, const Solution& s) {
+        const size_t unknowns = s.equations.unknowns();
+        return g.unknowns.size() == unknowns && g.residual.size() == unknowns && g.direction.size() == unknowns;
+    };
+    const auto require_shape = [&](const Steps& steps) {
+        stages_.require_shape(std::equal(steps.begin(), steps.end(), solutions.begin(), solutions.end(), is_of));
+    };
+    const auto advance = [&](uint32_t k, Steps& steps) {
+        if (k != 0) require_shape(steps);
+        steps.resize(solutions.size());
+        job_.run(static_cast<uint32_t>(steps.size()), [&](uint32_t one) {
+            const GlossSolver solver(solutions[one].equations, levels_);
+            if (k == 0) steps[one] = solver.begun();
+            for (uint32_t round = 0; round < kRoundsAtOnce; ++round) solver.advance(steps[one]);
+        });
+        return true;
+    };
+    Steps steps = stages_.in_steps<Steps>(name, kRounds / kRoundsAtOnce, advance);
+    require_shape(steps);
+    for (size_t one = 0; one < steps.size(); ++one) solutions[one].unknowns = std::move(steps[one].unknowns);
+}
+
+Gloss GlossTrials::kept_maps(const Solution& s) const
+{
+    constexpr float kLeastRange = 16;     // levels along the main direction
+    constexpr double kLeastShare = 0.15;  // of what all add
+    const std::vector<double> shares = shares_of_maps(s);
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    Gloss gloss;
+    Choices kept;
+    std::array<uint8_t, detail::format::kMaxGlossMaps + 1> numbers{};
+    for (size_t k = 0; k < shares.size(); ++k) {
+        float range = 0;
+        const auto begin = s.unknowns.begin() + static_cast<std::ptrdiff_t>(s.equations.nodes() + k * kTexels);
+        GlossMap map = map_of(Colours(begin, begin + kTexels), range);
+        if (range < kLeastRange || shares[k] < kLeastShare * all) continue;
+        gloss.maps.push_back(std::move(map));
+        kept.push_back(static_cast<uint8_t>(k + 1));
+        numbers[k + 1] = static_cast<uint8_t>(gloss.maps.size());
+    }
+    if (!gloss.is_there()) return {};
+    gloss.choices = choices_among(kept, s.equations, s.unknowns, levels_, lines_.fitted, shape_.mesh, s.choices);
+    for (uint8_t& choice : gloss.choices) choice = numbers[choice];
+    gloss.normals = normals_;
+    return gloss;
 }
 
 }  // namespace
@@ -257,23 +285,18 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
     const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 20);
     const GlossLines all = gloss_lines(scene, shape, settings, stages, job);
     if (all.lines.size() < kFewest) return {};
-    const std::vector<uint8_t> choices = choices_of(all, scene.materials.size(), settings.gloss_maps);
-    const std::vector<Vec3> normals = normals_of(shape, all.lines);
-    const uint32_t maps = *std::max_element(choices.begin(), choices.end());
-    const SplitLines lines(all.lines);
-    const auto equations = [&](const std::vector<GlossLine>& of, uint32_t count) {
-        return GlossEquations(shape, of, normals, choices, count);
-    };
-    const GlossEquations with = equations(lines.fitted, maps), without = equations(lines.fitted, 0);
-    GlossColours levels = levels_of(lines.fitted);
-    with.take_means(levels);
-    const GlossSteps solved = solved_both(with, without, levels, stages, job);
-    const auto error = [&](const GlossEquations& fitted, const GlossColours& unknowns, uint32_t count) {
-        return judged(lines, fitted.summed(unknowns), equations(lines.judging, count).summed(unknowns),
-                      shape.layout.texels);
-    };
-    if (error(with, solved.with.unknowns, maps) > kMostLeft * error(without, solved.without.unknowns, 0)) return {};
-    return kept_maps(with, solved.with.unknowns, choices, normals);
+    const GlossTrials trials(shape, all.lines, stages, job);
+    const Choices choices = choices_by_material(all, scene.materials.size(), settings.gloss_maps);
+    const std::vector<Solution> both = trials.solved("gloss", {choices, Choices(choices.size())});
+    // Where noise is all that is left, whatever takes something pays.
+    const double without = trials.error(both[1]), most = std::min(kMostLeft * without, without),
+                 with = trials.error(both[0]);
+    if (const Choices split = trials.split(both[0], settings.gloss_maps); split != choices) {
+        const Solution finer = trials.solved("gloss split", {split}).front();
+        if (const double error = trials.error(finer); error < with)
+            return error > most ? Gloss{} : trials.kept_maps(finer);
+    }
+    return with > most ? Gloss{} : trials.kept_maps(both[0]);
 }
 
 }  // namespace lumi::baker
