@@ -46,7 +46,7 @@ foreach(cpu IN LISTS lumi_cpus)
 
   add_test(NAME ${cpu}.build
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D BUILD=${lumi_cross} -D CPU=${cpu} -D ALL=${LUMI_TEST_ALL}
-      -D FIELD=${CMAKE_CURRENT_BINARY_DIR}/fields/rgb565.lumi -P ${CMAKE_CURRENT_SOURCE_DIR}/build_board.cmake)
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/build_board.cmake)
   # Boards build side by side, each with one compiler, and before all else.
   set_tests_properties(${cpu}.build PROPERTIES FIXTURES_SETUP lumi_built_${cpu} COST 1000
     TIMEOUT ${lumi_build_timeout_s})
@@ -76,7 +76,10 @@ foreach(cpu IN LISTS lumi_cpus)
       COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D ARGUMENTS=wild -D PROGRAM=${lumi_cross}/tests/cross/lumi_bad_chord.elf
         -P ${PROJECT_SOURCE_DIR}/platform/mps2/run.cmake)
     set_tests_properties(${cpu}.wild_read_faults PROPERTIES PASS_REGULAR_EXPRESSION "fault: .*ended with 70")
-    list(APPEND lumi_cpu_tests ${cpu}.wild_read_faults)
+    add_test(NAME ${cpu}.chord_firmware_links_no_surface
+      COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_bad_chord.elf
+        -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
+    list(APPEND lumi_cpu_tests ${cpu}.wild_read_faults ${cpu}.chord_firmware_links_no_surface)
   endif()
   add_test(NAME ${cpu}.board
     COMMAND ${CMAKE_COMMAND} -D CPU=${cpu} -D PROGRAM=${lumi_cross}/tests/cross/lumi_board_test.elf
@@ -91,14 +94,6 @@ foreach(cpu IN LISTS lumi_cpus)
       -D PROGRAM=${lumi_firmware}/lumi_frame_crcs_firmware.elf -D "FIELDS=${lumi_test_fields}" -D FRAMES=${lumi_frames}
       -P ${CMAKE_CURRENT_SOURCE_DIR}/compare_frames.cmake)
   list(APPEND lumi_cpu_tests ${cpu}.board ${cpu}.refuses_missing_fields ${cpu}.frame_crcs)
-  foreach(mode nearest linear paper)
-    add_test(NAME ${cpu}.demo_${mode}
-      COMMAND ${CMAKE_COMMAND} -D BOARDS=${lumi_boards} -D CPU=${cpu}
-        -D PROGRAM=${lumi_firmware}/lumi_demo_firmware.elf -D MODE=${mode} -D STACK_LIMIT=${LUMI_STACK_LIMIT}
-        -D PICTURE=${CMAKE_CURRENT_BINARY_DIR}/${cpu}-${mode} -D TO_PNG=$<TARGET_FILE:lumi_ppm_to_png>
-        -P ${CMAKE_CURRENT_SOURCE_DIR}/demo_frame.cmake)
-    list(APPEND lumi_cpu_tests ${cpu}.demo_${mode})
-  endforeach()
 
   # Core's proof.
   set(lumi_policies ${lumi_cross}/tests/cross/CMakeFiles/lumi_policies.dir)
@@ -116,9 +111,6 @@ foreach(cpu IN LISTS lumi_cpus)
     COMMAND ${CMAKE_COMMAND} -D "FOLDERS=${lumi_cross}/core;${lumi_policies}"
       -D "ROOTS=^_ZN4lumi8policies[0-9]+(prepare_surface|draw_surface)"
       -D LIMIT=${LUMI_SURFACE_STACK_LIMIT} -P ${CMAKE_CURRENT_SOURCE_DIR}/check_stack.cmake)
-  add_test(NAME ${cpu}.chord_firmware_links_no_surface
-    COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_firmware}/lumi_demo_firmware.elf
-      -D "FORBIDDEN=${lumi_surface_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   add_test(NAME ${cpu}.plain_firmware_links_no_feature
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm}
       -D FILES=${lumi_firmware}/lumi_frame_crcs_firmware.elf
@@ -132,8 +124,7 @@ foreach(cpu IN LISTS lumi_cpus)
     COMMAND ${CMAKE_COMMAND} -D NM=${LUMI_FOUND_arm_none_eabi_nm} -D FILES=${lumi_cross}/tests/cross/lumi_plain_view.elf
       -D "FORBIDDEN=${lumi_view_table_symbols}" -P ${CMAKE_CURRENT_SOURCE_DIR}/check_symbols.cmake)
   list(APPEND lumi_cpu_tests ${cpu}.c_firmware_links_what_it_calls ${cpu}.plain_firmware_links_no_view_tables)
-  list(APPEND lumi_cpu_tests ${cpu}.plain_firmware_links_no_feature ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface
-    ${cpu}.chord_firmware_links_no_surface)
+  list(APPEND lumi_cpu_tests ${cpu}.plain_firmware_links_no_feature ${cpu}.core_symbols ${cpu}.core_stack ${cpu}.core_stack_spans ${cpu}.core_stack_surface)
   set_tests_properties(${lumi_cpu_tests} PROPERTIES FIXTURES_REQUIRED lumi_built_${cpu}
     TIMEOUT ${lumi_run_timeout_s})
 endforeach()

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lumi/mps2/board.h"
 
-#include <cstring>
-
 #include "lumi/field_format.h"
 
 extern "C" const uint8_t lumi_psram_start[];  // the linker script defines it
@@ -13,15 +11,11 @@ namespace
 {
 
 enum class Operation : uint32_t {
-    open = 0x01,
-    close = 0x02,
     write_string = 0x04,
-    write = 0x05,
     command_line = 0x15,
     exit_extended = 0x20,
 };
 
-constexpr uint32_t kOpenBinaryWrite = 5;               // fopen's "wb"
 constexpr uint32_t kStoppedApplicationExit = 0x20026;  // ADP_Stopped_ApplicationExit
 
 // The operation is in r0, the address of its parameter block in r1, the result in r0.
@@ -55,28 +49,6 @@ bool command_line(char* buffer, size_t bytes)
 {
     const uint32_t block[] = {address(buffer), bytes};
     return call(Operation::command_line, block) == 0;
-}
-
-OutputFile::OutputFile(const char* path)
-{
-    const uint32_t block[] = {address(path), kOpenBinaryWrite, std::strlen(path)};
-    handle_ = call(Operation::open, block);
-    ok_ = handle_ >= 0;
-}
-
-OutputFile::~OutputFile()
-{
-    if (handle_ >= 0) {
-        const uint32_t block[] = {static_cast<uint32_t>(handle_)};
-        call(Operation::close, block);
-    }
-}
-
-bool OutputFile::write(const void* bytes, size_t count)
-{
-    const uint32_t block[] = {static_cast<uint32_t>(handle_), address(bytes), count};
-    ok_ = ok_ && call(Operation::write, block) == 0;  // the result is how many bytes were NOT written
-    return ok_;
 }
 
 void exit_with(int code)
