@@ -280,23 +280,28 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
 {
     constexpr size_t kFewest = 1000;
     if (!may_gloss(scene, shape.mesh, settings)) return {};
-    constexpr double kMostLeft = 0.9;  // of the error without maps
+    constexpr double kMostLeft = 0.95;  // of the error without maps
     Job job(1, settings.threads, progress);
     const JobStage stage(job, Stage::mesh, job.part_of_rest(1), 20);
     const GlossLines all = gloss_lines(scene, shape, settings, stages, job);
     if (all.lines.size() < kFewest) return {};
     const GlossTrials trials(shape, all.lines, stages, job);
-    const Choices choices = choices_by_material(all, scene.materials.size(), settings.gloss_maps);
-    const std::vector<Solution> both = trials.solved("gloss", {choices, Choices(choices.size())});
-    // Where noise is all that is left, whatever takes something pays.
-    const double without = trials.error(both[1]), most = std::min(kMostLeft * without, without),
-                 with = trials.error(both[0]);
-    if (const Choices split = trials.split(both[0], settings.gloss_maps); split != choices) {
-        const Solution finer = trials.solved("gloss split", {split}).front();
-        if (const double error = trials.error(finer); error < with)
-            return error > most ? Gloss{} : trials.kept_maps(finer);
+    const Choices one = choices_of_one(all);
+    const std::vector<Solution> both = trials.solved("gloss", {one, Choices(one.size())});
+    const std::vector<Solution> finer =
+        trials.solved("gloss of more maps", {trials.split(both[0], settings.gloss_maps),
+                                             choices_by_material(all, scene.materials.size(), settings.gloss_maps)});
+    const Solution* best = &both[0];
+    double least = trials.error(*best);
+    for (const Solution& s : finer) {
+        const double error = trials.error(s);
+        if (error >= least) continue;
+        least = error;
+        best = &s;
     }
-    return with > most ? Gloss{} : trials.kept_maps(both[0]);
+    // Where noise is all that is left, whatever takes something pays.
+    const double without = trials.error(both[1]);
+    return least > std::min(kMostLeft * without, without) ? Gloss{} : trials.kept_maps(*best);
 }
 
 }  // namespace lumi::baker

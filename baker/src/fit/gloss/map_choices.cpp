@@ -16,6 +16,19 @@ namespace
 constexpr uint8_t kNoMap = 0;
 using Choices = std::vector<uint8_t>;
 
+// Each patch has the map that most of the lines to it vote for.
+template <class MapOfMaterial>
+Choices choices_by_vote(const GlossLines& all, MapOfMaterial map_of)
+{
+    std::vector<std::array<uint32_t, detail::format::kMaxGlossMaps + 1>> votes(all.others.size());
+    for (size_t p = 0; p < votes.size(); ++p) votes[p][kNoMap] = all.others[p];
+    for (const GlossLine& l : all.lines) ++votes[l.triangle / 2][map_of(l.material)];
+    Choices choices;
+    for (const auto& v : votes)
+        choices.push_back(static_cast<uint8_t>(std::max_element(v.begin(), v.end()) - v.begin()));
+    return choices;
+}
+
 // Over the lines to a patch: the map's squares, and its products with what
 // nodes leave.
 struct Strength {
@@ -153,24 +166,23 @@ Choices without_seams(const std::vector<Offer>& offers, const std::vector<std::v
 
 }  // namespace
 
+std::vector<uint8_t> choices_of_one(const GlossLines& all)
+{
+    return choices_by_vote(
+        all, [](uint32_t) { return uint8_t{1}; });
+}
+
 std::vector<uint8_t> choices_by_material(const GlossLines& all, size_t materials, uint32_t most)
 {
-    const std::vector<GlossLine>& lines = all.lines;
     std::vector<size_t> count(materials);
-    for (const GlossLine& l : lines) ++count[l.material];
+    for (const GlossLine& l : all.lines) ++count[l.material];
     std::vector<uint32_t> order(materials);
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return count[a] > count[b]; });
     Choices map_of_material(materials, kNoMap);
     for (uint32_t k = 0; k < std::min(most, detail::format::kMaxGlossMaps) && k < materials; ++k)
         if (count[order[k]] != 0) map_of_material[order[k]] = static_cast<uint8_t>(k + 1);
-    std::vector<std::array<uint32_t, detail::format::kMaxGlossMaps + 1>> votes(all.others.size());
-    for (size_t p = 0; p < votes.size(); ++p) votes[p][kNoMap] = all.others[p];
-    for (const GlossLine& l : lines) ++votes[l.triangle / 2][map_of_material[l.material]];
-    Choices choices;
-    for (const auto& v : votes)
-        choices.push_back(static_cast<uint8_t>(std::max_element(v.begin(), v.end()) - v.begin()));
-    return choices;
+    return choices_by_vote(all, [&](uint32_t material) { return map_of_material[material]; });
 }
 
 std::vector<uint8_t> split_choices(const GlossEquations& equations, const GlossColours& unknowns,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which patches share a gloss map: those of a material, and among these the ones that mirror about as much. A texture
-// atlas puts lacquer, steel and rubber into one material.
+// Which patches share a gloss map: those of a material, or those that mirror about as much. A texture atlas puts
+// lacquer, steel and rubber into one material, and a car's paint may be ten.
 #pragma once
 
 #include "fit/gloss/equations.h"
@@ -8,7 +8,10 @@
 namespace lumi::baker
 {
 
-// By patch, as all choices: 0, or its map from 1 on. The materials that most lines meet get a map each.
+// By patch, as all choices: 0, or its map from 1 on. One map for all that is smooth.
+std::vector<uint8_t> choices_of_one(const GlossLines& all);
+
+// The materials that most lines meet get a map each.
 std::vector<uint8_t> choices_by_material(const GlossLines& all, size_t materials, uint32_t most);
 
 // Splits maps where patches of the same map show it more and less strongly than it is, as long as that pays and maps
