@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/encoded_tone.h"
 #include "fit/sample_tracer.h"
@@ -133,23 +134,23 @@ PatchDetail detail_of(const std::array<SortedSamples, 2>& samples, uint32_t patc
     return result;
 }
 
-std::vector<float> scaled(const std::vector<float>& importance, float density, float factor)
-{
-    std::vector<float> densities;
-    for (const float i : importance) densities.push_back(density * std::clamp(factor * i, kThinnest, kDensest));
-    return densities;
-}
-
-// As dense as can be with so many texels in all.
-std::vector<float> within(uint32_t texels, const PatchMesh& mesh, const std::vector<float>& importance, float density)
+// As dense as can be with so many texels in all, in the mean `density`, nowhere above `finest`.
+std::vector<float> within(uint32_t texels, const PatchMesh& mesh, const std::vector<float>& importance, float density,
+                          float finest)
 {
     constexpr int kHalvings = 20;
+    const auto scaled = [&](float factor) {
+        std::vector<float> densities;
+        for (const float i : importance)
+            densities.push_back(std::min(density * std::clamp(factor * i, kThinnest, kDensest), finest));
+        return densities;
+    };
     float low = 0, high = 16;
     for (int k = 0; k < kHalvings; ++k) {
         const float middle = 0.5f * (low + high);
-        (unlimited_layout(mesh, scaled(importance, density, middle)).texels <= texels ? low : high) = middle;
+        (unlimited_layout(mesh, scaled(middle)).texels <= texels ? low : high) = middle;
     }
-    return scaled(importance, density, low);
+    return scaled(low);
 }
 
 // So many texels show what there is: one patch's detail is known badly, their sum well.
@@ -211,7 +212,8 @@ std::vector<float> texel_densities(const std::vector<DensityLight>& lights, cons
     // The range of densities is one around the mean.
     const float density =
         settings.texels_per_radius * std::sqrt(static_cast<float>(texels) / static_cast<float>(allowed));
-    return within(texels, mesh, importance, density);
+    constexpr float kAny = std::numeric_limits<float>::infinity();
+    return within(texels, mesh, importance, density, settings.fills ? kAny : settings.finest_texels);
 }
 
 }  // namespace lumi::baker

@@ -35,8 +35,8 @@ void each(See& see, BakeSettings& s)
 template <class See>
 void each(See& see, SurfaceSettings& s)
 {
-    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, gloss_maps, fills, ground,
-           draft, seed, threads] = s;
+    auto& [triangles, longest_edge, texels_per_radius, paths_per_texel, cap, view_tables, gloss_maps, fills,
+           finest_texels, ground, draft, seed, threads] = s;
     static_cast<void>(threads);
     see("triangles", triangles);
     see("longest edge", longest_edge);
@@ -46,6 +46,7 @@ void each(See& see, SurfaceSettings& s)
     see("view tables", view_tables);
     see("gloss maps", gloss_maps);
     see("fill", fills);
+    see("finest texels", finest_texels);
     see("ground", ground);
     see("draft", draft);
     see("seed", seed);

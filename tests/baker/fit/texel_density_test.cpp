@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/texel_density.h"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "fit/fit_shape.h"
@@ -79,6 +81,22 @@ TEST_CASE("texels are no more than show, unless they are to fill what is allowed
     CHECK(texels({{striped.data()}}, false) > allowed / 2);
     CHECK(texels({{even.data()}, {striped.data()}}, false) > allowed / 2);
     CHECK(texels({{even.data()}, {striped.data(), 0.01f}}, false) < allowed / 4);
+}
+
+TEST_CASE("texels are nowhere finer than a display shows, unless they are to fill what is allowed")
+{
+    const Scene striped = one_of_them_striped();
+    const PatchMesh mesh = two_squares();
+    SurfaceSettings settings = tiny_surface();
+    settings.texels_per_radius = 60;
+    settings.finest_texels = 40;
+    const auto finest = [&] {
+        const std::vector<float> densities = texel_densities({{striped.data()}}, mesh, settings, {});
+        return *std::max_element(densities.begin(), densities.end());
+    };
+    CHECK(finest() == 40);
+    settings.fills = true;
+    CHECK(finest() > 60);
 }
 
 }  // namespace lumi::baker::testing

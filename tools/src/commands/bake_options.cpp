@@ -169,6 +169,8 @@ void add_field_options(CLI::App& command, BakeOptions& options)
         ->type_name("F");
     add_fit_options(command, options.fit);
     add_screen_options(command, options.screen);
+    command.get_option("--screen")
+        ->description("Screen of the device, for RAM, frame rates and how fine texels are at most [240x240]");
 }
 
 void add_surface_options(CLI::App& command, baker::SurfaceSettings& s)
@@ -351,6 +353,8 @@ void resolve(const CLI::App& command, BakeOptions& options)
     options.limits = limits_of(command, options);
     options.surface.seed = options.chord.seed;
     options.surface.threads = options.scene.threads;
+    options.surface.finest_texels =
+        baker::kFinestTexelsAPixel * static_cast<float>(std::min(options.screen.width_px, options.screen.height_px));
     if (const auto share = parse_cap_share(options.cap)) options.surface.cap = static_cast<float>(*share);
 }
 

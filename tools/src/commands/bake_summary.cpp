@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands/bake_summary.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -193,6 +194,10 @@ std::string options_of(const baker::SurfacePlan& plan)
                   static_cast<double>(s.longest_edge), static_cast<double>(s.texels_per_radius));
     if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
     if (s.fills) options += " --fill";
+    if (s.finest_texels != baker::SurfaceSettings().finest_texels) {
+        const long side = std::lround(s.finest_texels / baker::kFinestTexelsAPixel);
+        options += formatted(" --screen %ldx%ld", side, side);
+    }
     if (s.ground) options += " --ground";
     if (s.gloss_maps != baker::SurfaceSettings().gloss_maps) options += formatted(" --gloss-maps %u", s.gloss_maps);
     return s.view_tables ? options : options + " --no-view-tables";

@@ -21,6 +21,8 @@
 namespace lumi::baker
 {
 
+inline constexpr float kFinestTexelsAPixel = 0.625f;  // times the pixels of a display's shorter side
+
 struct SurfaceSettings {
     uint32_t triangles = 4000;      // about so many before edges are split
     float longest_edge = 0.2f;      // edges longer than this are split, in radii
@@ -32,8 +34,11 @@ struct SurfaceSettings {
     bool view_tables = true;  // false: colours do not depend on the direction of view
     uint32_t gloss_maps = 3;  // at most so many, up to 3; for highlights with edges
     bool fills = false;       // texels_per_radius also where fewer texels would show as much
-    bool ground = false;      // a soft shadow below the object, on a level ground that is not drawn
-    bool draft = false;       // the file says that it is a first look
+    // Unless that: nowhere more texels along a line of one radius, since texels that are smaller than a pixel of the
+    // display flicker, and are not seen.
+    float finest_texels = kFinestTexelsAPixel * 240;
+    bool ground = false;  // a soft shadow below the object, on a level ground that is not drawn
+    bool draft = false;   // the file says that it is a first look
     uint64_t seed = 1;
     unsigned threads = 0;  // 0 = as many as the machine has
 };
