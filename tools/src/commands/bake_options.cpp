@@ -354,7 +354,7 @@ void resolve(const CLI::App& command, BakeOptions& options)
     options.surface.seed = options.chord.seed;
     options.surface.threads = options.scene.threads;
     options.surface.finest_texels =
-        baker::kFinestTexelsAPixel * static_cast<float>(std::min(options.screen.width_px, options.screen.height_px));
+        baker::kFinestTexelsASide * static_cast<float>(std::min(options.screen.width_px, options.screen.height_px));
     if (const auto share = parse_cap_share(options.cap)) options.surface.cap = static_cast<float>(*share);
 }
 

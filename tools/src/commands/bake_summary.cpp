@@ -195,7 +195,7 @@ std::string options_of(const baker::SurfacePlan& plan)
     if (s.cap < 1) options += formatted(" --cap %.6g%%", 100 * static_cast<double>(s.cap));
     if (s.fills) options += " --fill";
     if (s.finest_texels != baker::SurfaceSettings().finest_texels) {
-        const long side = std::lround(s.finest_texels / baker::kFinestTexelsAPixel);
+        const long side = std::lround(s.finest_texels / baker::kFinestTexelsASide);
         options += formatted(" --screen %ldx%ld", side, side);
     }
     if (s.ground) options += " --ground";

@@ -21,7 +21,8 @@
 namespace lumi::baker
 {
 
-inline constexpr float kFinestTexelsAPixel = 0.625f;  // times the pixels of a display's shorter side
+// A radius, for each pixel of a display's shorter side: 1.25 to a pixel where the sphere fills it.
+inline constexpr float kFinestTexelsASide = 0.625f;
 
 struct SurfaceSettings {
     uint32_t triangles = 4000;      // about so many before edges are split
@@ -36,7 +37,7 @@ struct SurfaceSettings {
     bool fills = false;       // texels_per_radius also where fewer texels would show as much
     // Unless that: nowhere more texels along a line of one radius, since texels that are smaller than a pixel of the
     // display flicker, and are not seen.
-    float finest_texels = kFinestTexelsAPixel * 240;
+    float finest_texels = kFinestTexelsASide * 240;
     bool ground = false;  // a soft shadow below the object, on a level ground that is not drawn
     bool draft = false;   // the file says that it is a first look
     uint64_t seed = 1;
