@@ -114,6 +114,19 @@ TEST_CASE("a bake for little RAM plans a mesh for it and says what is given up, 
                   1, "give more RAM, or fewer --rows");
 }
 
+TEST_CASE("a plan for a smaller or larger display names it among the options by hand, for its texels may be as fine")
+{
+    const test::TemporaryFolder folder;
+    const std::string scene = test::write_cube(folder.path());
+    const auto planned_for = [&](const std::string& screen) {
+        return done(lumi({"bake", scene, "--layout", "surface", "--fit", "60kB", "--plan-only", "--screen", screen}))
+            .out;
+    };
+    CHECK_THAT(planned_for("120x160"), Catch::Contains(" --screen 120x120"));
+    CHECK_THAT(planned_for("480x480"), Catch::Contains(" --screen 480x480"));
+    CHECK_THAT(planned_for("320x240"), !Catch::Contains(" --screen"));
+}
+
 TEST_CASE("a pace names the mode that reaches it, of a chord field too")
 {
     const test::TemporaryFolder folder;

@@ -17,8 +17,7 @@ using Colours = GlossColours;
 using Choices = std::vector<uint8_t>;
 constexpr uint32_t kTexels = kGlossTexels;
 
-// Mean normals of the lines at the vertices, in the sense of least squares over
-// the triangles: by Jacobi's method.
+// Mean normals of the lines at the vertices, in the sense of least squares over the triangles: by Jacobi's method.
 std::vector<Vec3> normals_of(const FitShape& shape, const std::vector<GlossLine>& lines)
 {
     constexpr int kRounds = 25;
@@ -55,8 +54,7 @@ struct Solution {
     Colours unknowns;
 };
 
-// The direction in which colours differ most, of unit length, its sum positive:
-// by the power method.
+// The direction in which colours differ most, of unit length, its sum positive: by the power method.
 LevelColour main_direction(const Colours& colours)
 {
     constexpr int kRounds = 30;
@@ -72,8 +70,7 @@ LevelColour main_direction(const Colours& colours)
     return direction;
 }
 
-// A map's colours as one colour times bytes. Where it is darkest it adds
-// nothing: texels have the rest.
+// A map's colours as one colour times bytes. Where it is darkest it adds nothing: texels have the rest.
 GlossMap map_of(Colours colours, float& range)
 {
     LevelColour mean{};
@@ -144,8 +141,7 @@ std::vector<TexelMean> texel_means(const std::vector<GlossLine>& fitted, const G
     return means;
 }
 
-// The squared error of judging lines to texels that have fitted ones, less what
-// noise makes of it.
+// The squared error of judging lines to texels that have fitted ones, less what noise makes of it.
 double judged(const SplitLines& lines, const GlossColours& shown, const GlossColours& shown_to_judge, uint32_t texels)
 {
     const std::vector<TexelMean> means = texel_means(lines.fitted, shown, texels);
@@ -197,7 +193,7 @@ public:
         return split_choices(s.equations, s.unknowns, levels_, lines_.fitted, s.choices, most);
     }
 
-    // Keeps maps that show something beside the others, numbered anew.
+    // Keeps maps that show something beside the others and that some patch takes, numbered anew.
     Gloss kept_maps(const Solution& s) const;
 
 private:
@@ -247,21 +243,27 @@ Gloss GlossTrials::kept_maps(const Solution& s) const
     constexpr double kLeastShare = 0.15;  // of what all add
     const std::vector<double> shares = shares_of_maps(s);
     const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
-    Gloss gloss;
-    Choices kept;
-    std::array<uint8_t, detail::format::kMaxGlossMaps + 1> numbers{};
+    std::vector<GlossMap> maps;
+    Choices shown;  // numbers of those maps
     for (size_t k = 0; k < shares.size(); ++k) {
         float range = 0;
         const auto begin = s.unknowns.begin() + static_cast<std::ptrdiff_t>(s.equations.nodes() + k * kTexels);
         GlossMap map = map_of(Colours(begin, begin + kTexels), range);
         if (range < kLeastRange || shares[k] < kLeastShare * all) continue;
-        gloss.maps.push_back(std::move(map));
-        kept.push_back(static_cast<uint8_t>(k + 1));
-        numbers[k + 1] = static_cast<uint8_t>(gloss.maps.size());
+        maps.push_back(std::move(map));
+        shown.push_back(static_cast<uint8_t>(k + 1));
+    }
+    const Choices chosen =
+        choices_among(shown, s.equations, s.unknowns, levels_, lines_.fitted, shape_.mesh, s.choices);
+    Gloss gloss;
+    std::array<uint8_t, detail::format::kMaxGlossMaps + 1> numbers{};
+    for (size_t k = 0; k < maps.size(); ++k) {
+        if (std::find(chosen.begin(), chosen.end(), shown[k]) == chosen.end()) continue;
+        gloss.maps.push_back(std::move(maps[k]));
+        numbers[shown[k]] = static_cast<uint8_t>(gloss.maps.size());
     }
     if (!gloss.is_there()) return {};
-    gloss.choices = choices_among(kept, s.equations, s.unknowns, levels_, lines_.fitted, shape_.mesh, s.choices);
-    for (uint8_t& choice : gloss.choices) choice = numbers[choice];
+    for (const uint8_t choice : chosen) gloss.choices.push_back(numbers[choice]);
     gloss.normals = normals_;
     return gloss;
 }
@@ -288,9 +290,10 @@ Gloss gloss_of(const SceneData& scene, const FitShape& shape, const SurfaceSetti
     const GlossTrials trials(shape, all.lines, stages, job);
     const Choices one = choices_of_one(all);
     const std::vector<Solution> both = trials.solved("gloss", {one, Choices(one.size())});
-    const std::vector<Solution> finer =
-        trials.solved("gloss of more maps", {trials.split(both[0], settings.gloss_maps),
-                                             choices_by_material(all, scene.materials.size(), settings.gloss_maps)});
+    std::vector<Choices> choices = {trials.split(both[0], settings.gloss_maps),
+                                    choices_by_material(all, scene.materials.size(), settings.gloss_maps)};
+    choices.erase(std::remove(choices.begin(), choices.end(), one), choices.end());
+    const std::vector<Solution> finer = trials.solved("gloss of more maps", choices);
     const Solution* best = &both[0];
     double least = trials.error(*best);
     for (const Solution& s : finer) {

@@ -2,7 +2,6 @@
 #include "fit/gloss/map_choices.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -29,8 +28,7 @@ Choices choices_by_vote(const GlossLines& all, MapOfMaterial map_of)
     return choices;
 }
 
-// Over the lines to a patch: the map's squares, and its products with what
-// nodes leave.
+// Over the lines to a patch: the map's squares, and its products with what nodes leave.
 struct Strength {
     double squares = 0, products = 0;
 
@@ -86,7 +84,7 @@ Split best_split(const std::vector<Strength>& strengths, const Choices& choices,
     Split best;
     Strength weak;
     size_t count = 0;
-    for (size_t k = 0; k < patches.size(); ++k) {
+    for (size_t k = 0; k + 1 < patches.size(); ++k) {
         weak = weak + strengths[patches[k]];
         const double gain = weak.taken() + (all - weak).taken() - all.taken();
         if (gain <= best.gain) continue;
@@ -147,18 +145,18 @@ Choices without_seams(const std::vector<Offer>& offers, const std::vector<std::v
     std::vector<double> shown(choices.size());
     for (const Offer& offer : offers)
         for (size_t p = 0; p < shown.size(); ++p) shown[p] = std::max(shown[p], offer.shown[p]);
+    const auto cost = [&](size_t p, const Offer& offer, double seam) {
+        double sum = offer.left[p];
+        for (const uint32_t q : neighbours[p])
+            if (choices[q] != offer.map) sum += seam * std::min(shown[p], shown[q]);
+        return sum;
+    };
     for (int round = 0; round < kRounds; ++round) {
+        const double seam = round == 0 ? 0 : kSeam;  // neighbours have chosen from then on
         for (size_t p = 0; p < choices.size(); ++p) {
             if (may_have[p] == kNoMap) continue;
-            double least = std::numeric_limits<double>::infinity();
-            for (const Offer& offer : offers) {
-                double cost = offer.left[p];
-                for (const uint32_t q : neighbours[p])
-                    if (round != 0 && choices[q] != offer.map) cost += kSeam * std::min(shown[p], shown[q]);
-                if (cost >= least) continue;
-                least = cost;
-                choices[p] = offer.map;
-            }
+            const auto costs_less = [&](const Offer& a, const Offer& b) { return cost(p, a, seam) < cost(p, b, seam); };
+            choices[p] = std::min_element(offers.begin(), offers.end(), costs_less)->map;
         }
     }
     return choices;
