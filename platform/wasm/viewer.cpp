@@ -84,7 +84,7 @@ uint8_t alpha_of(const uint8_t* pixel)
     return 255;
 }
 
-// What a display shows of a stripe; over the gradient, of a stripe over each of its two greys.
+// Shows a stripe as a display does; over the gradient, a stripe over each of its two greys.
 template <class Pixel>
 void copy_to_canvas(const Stripe& stripe, const Stripe& over_middle)
 {
@@ -106,7 +106,7 @@ void copy_to_canvas(const Stripe& stripe, const Stripe& over_middle)
         }
 }
 
-// Of a stripe in any format; a multiple of kAlignment.
+// A stripe takes this in any format; a multiple of kAlignment.
 size_t stripe_bytes(int32_t width_px)
 {
     return static_cast<size_t>(width_px) * kStripeRows * PixelArgb8888::kBytes;

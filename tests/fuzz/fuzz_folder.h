@@ -46,7 +46,7 @@ private:
     std::map<std::string, File> files_;
 };
 
-// What is refused is told how to mend it.
+// Whoever is refused is told how to mend it.
 inline void check_message(const std::exception& refused)
 {
     if (std::string_view(refused.what()).find("; ") != std::string_view::npos) return;

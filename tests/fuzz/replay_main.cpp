@@ -31,7 +31,7 @@ std::vector<uint8_t> bytes_of(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-// What texts take badly.
+// Readers of text take these badly.
 constexpr std::string_view kWords[] = {"-1", "1e999", "nan", "1e-45", "\"\"", "null", "/*", "99999999999999999999"};
 
 void change(std::vector<uint8_t>& bytes, std::minstd_rand& random)

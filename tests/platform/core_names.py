@@ -37,7 +37,7 @@ LONGEST_SHORT = 5
 Name = collections.namedtuple("Name", "scope kind name")
 
 
-# What clang calls the declarations of each kind.
+# Clang calls the declarations of each kind so.
 KINDS = {**dict.fromkeys(("CXXRecordDecl", "ClassTemplateDecl", "EnumDecl", "TypeAliasDecl", "TypeAliasTemplateDecl"), "type"),
          **dict.fromkeys(("FunctionDecl", "FunctionTemplateDecl"), "function"),
          **dict.fromkeys(("VarDecl", "VarTemplateDecl"), "variable")}

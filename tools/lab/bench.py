@@ -27,7 +27,7 @@ SPANS = [0, 2, 4, 8, 16]  # 0: render() in place of render_spans(), every pixel 
 CHORD_COUNTS = ["view", "span", "covered", "instructions", "setup", "stack", "crc"]
 PARTS = ["palette", "vertices", "lists", "lights", "edges", "samples", "outlines", "resolve"]
 SEE_THROUGH_PARTS = ["order", "blends"]  # of gloss maps, too; 0 for fields without both
-# What the host's row counts of a field's features, and the program that draws them: without accuracy.
+# The host's row counts these features of a field, and these programs draw them: without accuracy.
 UNJUDGED = {"states": "states", "gloss": "gloss", "see_through_patches": "see_through"}
 # "tall": instructions in stripes of 24 rows; "weigh": of another weight of a light state; "halves": until two cores have prepared the frame.
 SURFACE_COUNTS = ["view", "mode", "covered", "instructions", *PARTS, *SEE_THROUGH_PARTS, "tall", "stack", "ram", "weigh", "halves", "crc"]

@@ -4,7 +4,8 @@
 
 Checks the documents: each page has at most MOST_WORDS words (a log of measurements: beside its tables). Every relative
 link leads to a file or folder of the repository, and its anchor to a heading or an <a id> of that page. A path in
-`code`, from one of the repository's folders, is there. No page has a heading twice.
+`code`, from one of the repository's folders, is there. No page has a heading twice. No comment of a source begins with
+"Of", "What" or "The same", for then it seldom is a sentence.
 """
 import pathlib
 import re
@@ -23,6 +24,8 @@ PATH = re.compile(r"`((?:baker|core|docs|platform|tests|toolchains|tools)/[^`\s]
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?)\s*$", re.MULTILINE)
 ANCHOR = re.compile(r'<a id="([^"]+)">')
+SOURCES = ["baker", "core", "platform", "tests", "tools"]
+HALF_SENTENCE = re.compile(r"^(?![ \t]*(?://|#) )[^\n]*\n[ \t]*(?://|#) ((?:Of|What|The same)\b[^\n]*)", re.MULTILINE)
 COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
@@ -71,6 +74,13 @@ def double_headings(text):
         yield f"the heading '{heading}' occurs twice"
 
 
+def half_sentences(root):
+    for source in (path for folder in SOURCES for path in sorted((root / folder).rglob("*"))):
+        if source.suffix in (".h", ".cpp", ".inc", ".c", ".py", ".sh"):
+            for comment in HALF_SENTENCE.findall(source.read_text(encoding="utf-8")):
+                yield f"{source.relative_to(root)}: say in a whole sentence: {comment}"
+
+
 def pages(root, patterns):
     return sorted(page for pattern in patterns for page in root.glob(pattern))
 
@@ -88,7 +98,7 @@ def faults(root):
         found += [f"{name}: {fault}" for fault in broken_links(root, page)]
         if page in short + logs:
             found += [f"{name}: {fault}" for fault in [*lost_paths(root, text), *double_headings(text)]]
-    return found
+    return found + list(half_sentences(root))
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ struct FitShape {
         return corner == 0 ? p.a : corner == 1 ? p.b : corner == 2 ? p.c : p.d;
     }
 
-    // What the map of a patch adds at a point of a triangle, for an eye: levels. Weights of corners are barycentric.
+    // Returns the levels that a patch's map adds at a point of a triangle, for an eye. `weights` are barycentric.
     std::array<float, 3> mirrored(uint32_t triangle, const Vec2& weights, const EyePoint& eye) const;
 
     PatchMesh mesh;

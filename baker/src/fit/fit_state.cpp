@@ -40,7 +40,7 @@ int64_t get_signed(ByteReader& in)
     return static_cast<int64_t>(v >> 1) ^ -static_cast<int64_t>(v & 1);
 }
 
-// What the pilot found.
+// Returns the pilot's result as bytes to keep.
 std::vector<uint8_t> pilot_bytes(const FitModel& expected, const std::vector<uint32_t>& lines)
 {
     ByteWriter out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What smooth surfaces of a field mirror: maps over mirrored directions (lumi/surface/format.h), and where a line to
-// the mesh meets them, as core finds it for an eye (lumi/surface/detail/gloss.h).
+// Holds the maps over mirrored directions that smooth surfaces of a field mirror (lumi/surface/format.h), and finds
+// where a line to the mesh meets them, as core finds it for an eye (lumi/surface/detail/gloss.h).
 #pragma once
 
 #include <array>

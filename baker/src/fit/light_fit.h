@@ -30,7 +30,7 @@ public:
     // Goes on from `state` until all paths of the shard are in it; `keep` is called when some more are. Throws
     // Cancelled, with what is whole in the state.
     void trace(FitState& state, BakeStages& stages, Job& job, const std::function<void()>& keep);
-    // What the stages keep of the pilot; not needed once its result is kept elsewhere.
+    // Drops what the stages keep of the pilot; it is not needed once its result is kept elsewhere.
     static void forget_pilot(BakeStages& stages);
 
 private:

@@ -13,7 +13,7 @@ namespace lumi::baker
 namespace
 {
 
-// What a path that passes there makes of light. Chance thins the paths by the opacity, so only the hue is left.
+// Returns the factor of light on a path that passes there. Chance thins paths by the opacity, so only the hue is left.
 Rgb colour_of_pass(const SceneData& scene, const Hit& pane, const Vec3& direction)
 {
     return passing_light(scene, pane, direction) * (1 / (1 - opacity_of(scene, pane)));

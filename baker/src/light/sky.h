@@ -20,7 +20,7 @@
 namespace lumi::baker
 {
 
-// What a direction shows of the sky, and the density, in solid angle, with which samples of the sky go there.
+// A direction shows this radiance of the sky, and samples of the sky go there with this density in solid angle.
 struct SkyLight {
     Rgb radiance;
     float pdf;

@@ -247,7 +247,7 @@ void read_mtl_text(const std::string& text, MtlMaterial& material)
     }
     for (const NumberField& f : kNumbers)
         if (material.has(f.keyword)) material.numbers[f.keyword] = grey(single(read.*f.number));
-    // Of a word that the package does not know it keeps the text: one number, or a colour.
+    // The package keeps the text of a word that it does not know: one number, or a colour.
     for (const auto& [keyword, numbers] : read.unknown_parameter) {
         double c[3] = {};
         size_t count = 0;

@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    // What a patch's map adds to its texels, in the mean.
+    // Returns what a patch's map adds to its texels in the mean.
     std::array<int, 3> mean_of_gloss(const PatchSide& side) const
     {
         const uint8_t choice = means_.empty() ? 0 : shape_.gloss.choices[side.triangle / 2];

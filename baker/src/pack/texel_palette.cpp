@@ -131,7 +131,7 @@ float own_level(const LevelsOfStates& states, size_t state, float compared)
     return states.size() == 1 ? compared : std::max(compared - kBlackApart, 0.0f) / times_seen(states[state].scale);
 }
 
-// What the texel shows in each state.
+// Returns what the texel shows in each state.
 template <size_t N>
 std::array<float, N> point_of(const LevelsOfStates& levels, size_t texel)
 {
@@ -163,7 +163,7 @@ void put_opaque(const FitShape& shape, const LevelsOfStates& levels, PalettedTex
         result.texels.push_back(static_cast<uint8_t>(nearest_centre(centres, point_of<N>(levels, t)).index));
 }
 
-// What is added in each state, then what passes, which is that of `all`.
+// Puts the light that is added in each state, then the share that passes, which is that of `all`.
 template <size_t N>
 void put_see_through(const FitShape& shape, const EncodedTone& tone, const LevelsOfStates& levels,
                      const std::vector<LevelColour>& all, size_t kept, PalettedTexels& result)

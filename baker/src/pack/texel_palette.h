@@ -18,7 +18,7 @@ struct PalettedTexels {
     std::vector<uint8_t> texels;
 };
 
-// What each texel shows in a state of the light; borrowed. All its light is divided by `scale`.
+// Each texel shows this in a state of the light; borrowed. All its light is divided by `scale`.
 struct StateLevels {
     const std::vector<LevelColour>& texels;
     float scale = 1;

@@ -18,14 +18,14 @@ struct QuantisedViews {
 
 // At most so many bytes are planned for view tables, if there are to be any, of so many states of the light.
 uint64_t planned_view_bytes(const PatchMesh& mesh, bool view_tables = true, uint32_t states = 1);
-// What so many gloss maps add to a file, and how much more that is than view tables leave them: these have shorter
-// codes beside maps.
+// Return what so many gloss maps add to a file, and how much more that is than view tables leave them: these have
+// shorter codes beside maps.
 uint64_t gloss_file_bytes(const PatchMesh& mesh, size_t maps);
 uint64_t gloss_bytes_beyond_tables(const PatchMesh& mesh, size_t maps);
 // The most bits of a code with which the tables of so many vertices fit into these bytes.
 uint32_t code_bits_for(uint64_t bytes, uint32_t viewed, uint32_t states = 1);
 
-// What one state of the light asks of view tables; borrowed.
+// One state of the light asks this of view tables; borrowed.
 struct ViewLayer {
     const FitSums& sums;
     const FitModel& model;

@@ -174,7 +174,7 @@ Fixture weighted(Fixture fixture, const Rgb& weight)
     return fixture;
 }
 
-// What shines is seen at its own radiance. Beyond this, a state's other levels would be too coarse.
+// A surface that shines is seen at its own radiance. Beyond kMost, a state's other levels would be too coarse.
 float scale_of(const SceneData& scene, uint32_t state)
 {
     constexpr float kMost = 4, kSteps = 16;

@@ -31,7 +31,7 @@ std::vector<Vec3> corners_of(const SceneData& scene, uint32_t owner)
     return corners;
 }
 
-// What a part takes away in one pose: by point of the grid, which turns with it, the share of light; and the light.
+// A part takes away this in one pose: by point of the grid, which turns with it, the share of light; and the light.
 struct Shade {
     float angle;  // of the pose, radians about the receiver's normal
     std::vector<float> taken, light;
@@ -152,7 +152,8 @@ ShadowGrid part_of(const ShadowGrid& grid, const Cells& cells, std::vector<float
     return {low, grid.cell, cells.right - cells.left, cells.bottom - cells.top};
 }
 
-// What of a grid keeps its corners inside: a field holds nothing outside of the sphere. Nothing if that is too little.
+// Returns the cells of a grid whose corners are inside, since a field holds nothing outside of the sphere; nothing if
+// they are too few.
 template <class IsInside>
 std::optional<ShadowGrid> within(const ShadowGrid& grid, const IsInside& is_inside, std::vector<float>& values)
 {
@@ -176,7 +177,8 @@ std::optional<ShadowGrid> within(const ShadowGrid& grid, const IsInside& is_insi
     return part_of(grid, {left, top, right, bottom}, values);
 }
 
-// What of a grid has a shadow, and a border without: a pixel costs its time also where nothing is to be seen.
+// Returns the cells of a grid that have a shadow, and a border without: a pixel costs its time also where nothing is
+// to be seen.
 ShadowGrid shown(const ShadowGrid& grid, std::vector<float>& values)
 {
     Cells cells = {grid.columns, grid.rows, 0, 0};

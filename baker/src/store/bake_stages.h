@@ -63,7 +63,7 @@ public:
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene);
     BakeStages(const std::filesystem::path& file, const Digest::Value& scene, SurfaceSettings settings);
 
-    // What follows is kept for a moving part, or with 0 for the body.
+    // Keeps all that follows for a moving part, or with 0 for the body.
     void begin_part(uint32_t owner) { owner_ = owner; }
 
     // Returns what make() returns, or what was kept of it under the same name and settings (numbers, or structs of

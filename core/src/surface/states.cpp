@@ -110,7 +110,7 @@ bool are_mixed(const SurfaceField& field, const SurfaceMemory& memory)
     return has_memory(field, memory) && field.palette == palette_of(field, memory);
 }
 
-// What lighting vertices needs of a frame.
+// Lighting vertices needs this of a frame.
 struct StateLight {
     const SurfaceField& field;
     const uint8_t *palettes, *nodes, *vertices;

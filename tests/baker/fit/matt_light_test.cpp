@@ -10,7 +10,7 @@ namespace lumi::baker::testing
 namespace
 {
 
-// What a pilot learns of a square whose matt light is 0.5 in the mean, with noise, and so much more from the right.
+// A pilot learns this of a square whose matt light is 0.5 in the mean, with noise, and so much more from the right.
 FitModel learnt(float from_right)
 {
     PatchMesh mesh;

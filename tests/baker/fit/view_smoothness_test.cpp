@@ -46,7 +46,7 @@ std::vector<FitSample> paths(const FitShape& shape, float shine)
     return samples;
 }
 
-// What is learnt of paths, where nodes that none of them saw are `unseen`.
+// Returns what paths teach, where nodes that none of them saw are `unseen`.
 ViewSmoothness learnt(float shine, float unseen = 0)
 {
     const FitShape shape = square();

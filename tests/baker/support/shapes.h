@@ -34,7 +34,7 @@ public:
     // Gives a material a normal map that leans everywhere by this sine along x, where it is drawn as the only quad.
     void tilt_normals(uint32_t material, float sine);
 
-    // What is added from here on is a part that moves so.
+    // All that is added from here on is a part that moves so.
     void begin_part(const PartMovement& movement);
 
     // Fixes the bounding sphere to the unit sphere: adds six specks at its axis points, which nothing else may exceed.

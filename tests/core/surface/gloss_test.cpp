@@ -66,7 +66,7 @@ Bytes mirror_ball(const GlossOf& map, const std::array<uint8_t, 3>& gains)
 
 using Vec = twin::Vec3;
 
-// What an exact mirror ball shows at a pixel; false where the ray passes it by or grazes it.
+// Finds what an exact mirror ball shows at a pixel; false where the ray passes it by or grazes it.
 bool mirrored(const test::View& view, int32_t x, int32_t y, Vec& direction)
 {
     const auto unit = [](const Vec3q30& v) { return Vec{v.x / 0x1p30, v.y / 0x1p30, v.z / 0x1p30}; };

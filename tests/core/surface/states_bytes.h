@@ -17,7 +17,7 @@ inline std::vector<TestState> two_states()
     return {{"base", 16}, {"lamp", 40}};
 }
 
-// What the section of states says of a mesh; levels look like chance.
+// The section of states says this of a mesh; levels look like chance.
 struct TestLight {
     std::vector<TestState> states;
     Bytes palettes, glasses, nodes, means, gains;  // of all states; `means` and `gains` of all vertices

@@ -106,7 +106,7 @@ struct Reference {
             sum += factor(k, c) * light_of_level(entries[k * format::state::kPaletteBytes + 3 * entry + c]);
         return level_of_light(sum);
     }
-    // Of a vertex beside the mixed palette's level; `taps` are those that core reads.
+    // Returns how far a vertex is from the mixed palette's level; `taps` are those that core reads.
     double difference(const SurfaceField& field, uint32_t vertex, const ViewTaps& taps, size_t c) const
     {
         const uint32_t bits = field.code_bits;

@@ -137,7 +137,7 @@ Drawn<Pixel> drawn(const SurfaceField& field, const View& view, SurfaceMode mode
     return drawn<Pixel, kFeatures>(made.frame, background, area);
 }
 
-// What a program draws that names view tables alone.
+// Draws as a program does that names view tables alone.
 inline Bytes surface_picture(const SurfaceField& field, const View& view, SurfaceMode mode, const Area& area = {},
                              uint32_t band_log2 = 3)
 {

@@ -30,7 +30,7 @@ tools::Eye eye_at(double azimuth, double elevation, double distance)
     return eye;
 }
 
-// Of opaque triangles.
+// Returns how many samples of opaque triangles a frame takes.
 double samples_of(const FrameWork& work)
 {
     return static_cast<double>(work[Work::sample] + work[Work::two_taps_sample] + work[Work::packed_sample] +

@@ -32,7 +32,7 @@ bool is_checked(const BakeSummary& summary)
     return summary.options.layout != Layout::chord && !summary.is_shard;
 }
 
-// What measures a field that is written must not fail its bake. Takes what the machine refuses: threads and memory.
+// Measuring a field that is written must not fail its bake. Takes what the machine refuses: threads and memory.
 template <class Measure>
 auto unless_refused(const BakeSummary& summary, const Measure& measure) -> decltype(measure())
 {
@@ -203,7 +203,7 @@ std::string options_of(const baker::SurfacePlan& plan)
     return s.view_tables ? options : options + " --no-view-tables";
 }
 
-// What a mesh of the plan lacks for a limit of RAM, such as "fewer triangles than 3684"; may be empty.
+// Says what a mesh of the plan lacks for a limit of RAM, such as "fewer triangles than 3684"; may be empty.
 std::string lacks_of(const baker::SurfacePlan& plan)
 {
     std::string text;

@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    // What a mesh shows and how fast, by each way; a share of 0 where it does not fit the part.
+    // A mesh shows this so fast, by each way; a share of 0 where it does not fit the part.
     struct Trial {
         baker::SurfacePlan plan;
         double psnr_db[kWayCount], share[kWayCount], rate[kWayCount];

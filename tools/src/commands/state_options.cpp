@@ -85,7 +85,7 @@ void add_colour_option(CLI::App& command, std::vector<baker::StateOption>& colou
 namespace
 {
 
-// What a firmware chooses the weights of.
+// A firmware chooses the weights of these.
 struct Kind {
     bool is_tint;
     const char *title, *option, *value;

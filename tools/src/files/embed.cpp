@@ -168,7 +168,7 @@ static inline size_t @SYMBOL@_size(void)
     return {};
 }
 
-// What a header says of the numbers of parts or of states. Names have numbers from 0 on; those for C stand behind the
+// A header says this of the numbers of parts or of states. Names have numbers from 0 on; those for C stand behind the
 // field's symbol and `of_c`.
 struct NumberedNames {
     std::vector<std::string> names;

@@ -16,7 +16,7 @@ namespace lumi::planner
 namespace
 {
 
-// What core of the other namespace holds, as this one names it.
+// Returns what core of the other namespace holds, as this one names it.
 template <class T>
 T same_bytes(const void* of)
 {
@@ -35,7 +35,7 @@ public:
     Tally& operator=(const Tally&) = delete;
     ~Tally() { add_to(work_); }
 
-    // What has been done up to now.
+    // Adds what has been done up to now.
     static void add_to(uint64_t* work)
     {
         for (uint32_t k = 0; k < detail::kWorks; ++k) work[k] += detail::work_done[k];

@@ -43,7 +43,7 @@ std::optional<double> parse_rate(std::string_view text)
     return rate;
 }
 
-// What one core alone prepares: gloss.
+// Returns the work that one core does alone: preparing gloss.
 FrameWork gloss_of(const FrameWork& work)
 {
     FrameWork gloss;

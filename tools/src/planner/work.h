@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame takes, as core counts it while it draws, and what that costs: instructions, and reads from flash.
+// Counts the work of a frame while core draws it, and what that costs: instructions, and reads from flash.
 #pragma once
 
 #include <array>

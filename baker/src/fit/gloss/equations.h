@@ -33,10 +33,10 @@ public:
     size_t unknowns() const { return nodes_ + map_texels_; }
     size_t nodes() const { return nodes_; }
 
-    // What unknowns make of the lines; and the same less the mean of each texel.
+    // Return the lines' colours that unknowns give; shown() less the mean of each texel.
     GlossColours summed(const GlossColours& unknowns) const;
     GlossColours shown(const GlossColours& unknowns) const;
-    // What lines that have a map would show if all had this one, from 0 on, and no nodes.
+    // Returns what lines that have a map would show if all had this one, counted from 0, and no nodes.
     GlossColours shown_by_map(const GlossColours& unknowns, uint32_t map) const;
     // The transpose of shown().
     GlossColours gathered(const GlossColours& lines) const;

@@ -94,7 +94,7 @@ GlossMap map_of(Colours colours, float& range)
     return map;
 }
 
-// What each map alone adds to the lines, squared.
+// Returns the squared light that each map alone adds to the lines.
 std::vector<double> shares_of_maps(const Solution& s)
 {
     std::vector<double> shares;
@@ -181,7 +181,7 @@ public:
         return result;
     }
 
-    // Of the lines that judge.
+    // Returns the error on the lines that judge.
     double error(const Solution& s) const
     {
         return judged(lines_, s.equations.summed(s.unknowns), equations(lines_.judging, s.choices).summed(s.unknowns),

@@ -34,13 +34,13 @@ struct Strength {
 
     // So many times the map leaves least to the patch.
     double factor() const { return products / squares; }
-    // What the map takes off the squared error, if it is weighed by that.
+    // Returns how much the squared error falls if the map is weighed by factor().
     double taken() const { return squares > 0 ? products * products / squares : 0; }
     Strength operator+(const Strength& o) const { return {squares + o.squares, products + o.products}; }
     Strength operator-(const Strength& o) const { return {squares - o.squares, products - o.products}; }
 };
 
-// What nodes alone show to the lines.
+// Returns what nodes alone show to the lines.
 GlossColours shown_by_nodes(const GlossEquations& e, GlossColours unknowns)
 {
     std::fill(unknowns.begin() + static_cast<std::ptrdiff_t>(e.nodes()), unknowns.end(), LevelColour{});

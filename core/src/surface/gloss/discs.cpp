@@ -97,7 +97,7 @@ struct MapPlace {
     uint32_t at, right_q8, down_q8;
 };
 
-// Of a direction (surface/format.h). One unit of the octahedral map is 16 texels, Q8.
+// Returns a direction's place in the map (surface/format.h). One unit of the octahedral map is 16 texels, Q8.
 MapPlace place_in_map(const Vec3q14& d)
 {
     const auto size = [](int32_t v) { return v < 0 ? -v : v; };

@@ -10,13 +10,13 @@ namespace lumi::detail
 namespace
 {
 
-// What lies between two places at a part of the way.
+// Returns the place at a part of the way between two.
 int32_t part_between(int32_t from, int32_t to, int32_t part, int32_t whole)
 {
     return (to - from) * part / whole;
 }
 
-// What lies in the disc by so much that its reads do, too: a sample reads half a texel around its place, and steps over
+// Clamps a place into the disc so far that its reads lie there, too: a sample reads half a texel around it, steps over
 // a triangle lose half a texel at most (a quarter by their fractions, 0.15 by shares of corners, 0.1 by samples just
 // outside).
 int32_t within_disc(int32_t place_q8)

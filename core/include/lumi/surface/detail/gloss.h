@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What smooth surfaces mirror. A map (surface/format.h) holds it for all directions of the world. Once a frame it is
+// A map (surface/format.h) holds what smooth surfaces mirror, for all directions of the world. Once a frame it is
 // resampled into a disc of half vectors around the camera's axis: h lies between the mirrored direction and the axis,
 // so that near the middle it is the normal, and the disc has no seam that faces the eye (after the "matcap" of
 // modelling programs; the half vector is Blinn's, "Models of Light Reflection", 1977). Each vertex has its place in the
