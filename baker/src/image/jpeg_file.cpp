@@ -62,16 +62,4 @@ DecodedPicture decode_jpeg(const std::string& bytes)
     return picture;
 }
 
-std::string jpeg_bytes(const PictureView& picture, int quality)
-{
-    const Handle encoder = owned(tjInitCompress());
-    unsigned char* bytes = nullptr;
-    unsigned long size = 0;
-    const int failed = tjCompress2(encoder.get(), picture.pixels, picture.width, 0, picture.height, TJPF_RGB, &bytes,
-                                   &size, TJSAMP_420, quality, TJFLAG_ACCURATEDCT);
-    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> freed(bytes, tjFree);
-    if (failed != 0) throw std::length_error(tjGetErrorStr2(encoder.get()));
-    return {reinterpret_cast<const char*>(bytes), size};
-}
-
 }  // namespace lumi::baker

@@ -15,7 +15,6 @@ namespace lumi::baker
 using host::DecodedPicture;
 using host::kMaxPictureSide;
 using host::PictureError;
-using host::PictureView;
 
 inline constexpr uintmax_t kMaxPictureFileBytes = uintmax_t{1} << 30;
 
@@ -25,10 +24,6 @@ DecodedPicture read_png(const std::filesystem::path& file);
 // The bytes of a JPEG file, grey or colour, sequential or progressive; not CMYK. What is damaged or cut short is
 // refused. Throws PictureError.
 DecodedPicture decode_jpeg(const std::string& bytes);
-
-// The bytes of a JPEG file of three channels: baseline, as decoders of firmware read it, with chroma of half the
-// resolution; quality 1 to 100. Throws std::length_error for a picture that no such file can hold.
-std::string jpeg_bytes(const PictureView& picture, int quality);
 
 // Borrowed pixels of linear light: red, green and blue (Rec. 709 primaries), multiplied by the coverage that follows.
 // Top row first, without gaps. At least one.

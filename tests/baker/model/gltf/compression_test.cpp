@@ -7,6 +7,7 @@
 #include "lumi/baker/scene.h"
 #include "model/readers.h"
 #include "support/packed_gltf.h"
+#include "support/picture_bytes.h"
 #include "support/scratch_folder.h"
 
 namespace lumi::baker
@@ -87,8 +88,7 @@ std::string png_head()
 
 std::string jpeg_head()
 {
-    const uint8_t grey[3] = {9, 9, 9};
-    std::string bytes = jpeg_bytes({1, 1, grey}, 50);
+    std::string bytes = testing::jpeg(1, 1);
     bytes.replace(bytes.find("\xFF\xC0") + 5, 4, "\x20\0\x20\0", 4);  // height and width
     return bytes;
 }
