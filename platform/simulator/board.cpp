@@ -19,6 +19,8 @@ namespace
 {
 
 using lumi::PixelRgb565Swapped;
+using simulator::kHeightPx;
+using simulator::kWidthPx;
 using simulator::options;
 
 std::vector<uint8_t> display;
@@ -38,7 +40,7 @@ lumi::Orbit current;
 void cut_to_disc()
 {
     constexpr lumi::Rgb8 kBezel = {32, 32, 32};
-    const int width = options.width_px, height = options.height_px, side = std::min(width, height);
+    const int width = kWidthPx, height = kHeightPx, side = std::min(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const int right = 2 * x + 1 - width, down = 2 * y + 1 - height;  // of the centre, in half pixels
@@ -54,7 +56,7 @@ void write_frame()
         lumi::PixelRgb888::store(rgb.data() + 3 * k, PixelRgb565Swapped::load(display.data() + 2 * k));
     const std::string path = options.folder + "/frame-" + std::to_string(frame) + ".png";
     std::ofstream file(path, std::ios::binary);
-    file << lumi::host::png_bytes({options.width_px, options.height_px, rgb.data()});
+    file << lumi::host::png_bytes({kWidthPx, kHeightPx, rgb.data()});
     if (!file.flush()) fail(path + " cannot be written");
 }
 
@@ -98,7 +100,7 @@ void end_frame()
 
 void begin()
 {
-    display.resize(size_t{PixelRgb565Swapped::kBytes} * static_cast<size_t>(options.width_px * options.height_px));
+    display.resize(size_t{PixelRgb565Swapped::kBytes} * size_t{kWidthPx * kHeightPx});
     if (options.window) simulator::open_window();
     current = board::view_of_frame(0);
 }
@@ -134,7 +136,7 @@ bool board::next_view(lumi::Orbit& orbit)
     else if (end_frame(); !turn())
         return false;
     begin_frame(orbit);
-    set_window({0, 0, options.width_px, options.height_px});
+    set_window({0, 0, kWidthPx, kHeightPx});
     return true;
 }
 
@@ -166,8 +168,7 @@ void board::send(const uint8_t* pixels, uint32_t bytes)
         const size_t run = std::min(row - sent % row, static_cast<size_t>(end - pixels));
         const size_t first = static_cast<size_t>(target.y_px) + sent / row;
         std::memcpy(display.data() +
-                        (first * static_cast<size_t>(options.width_px) + static_cast<size_t>(target.x_px)) *
-                            PixelRgb565Swapped::kBytes +
+                        (first * size_t{kWidthPx} + static_cast<size_t>(target.x_px)) * PixelRgb565Swapped::kBytes +
                         sent % row,
                     pixels, run);
         pixels += run;

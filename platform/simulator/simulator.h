@@ -10,29 +10,21 @@
 namespace simulator
 {
 
+inline constexpr int kWidthPx = 240, kHeightPx = 240;  // of the display, the Screen of the firmware
+
 struct Options {
     std::string folder;          // where frame-0.png, frame-1.png, ... go; empty: a window alone
     bool window = true;          // false: the frames of view_of_frame, then the end
     int drag_x = 0, drag_y = 0;  // pixels that the mouse drags after the first frame; then the end. 0, 0: by hand
-    int width_px = 240, height_px = 240;
-    bool is_round = false;          // the panel is a disc: what lies outside of it is not seen
-    int (*sized_main)() = nullptr;  // of --size, in place of the Pico's main()
-    double rate = 0;                // frames a second at most; 0: as fast as this machine
+    bool is_round = false;       // the panel is a disc: what lies outside of it is not seen
+    double rate = 0;             // frames a second at most; 0: as fast as this machine
 };
 
 extern Options options;
 
-// The Pico's loop for displays of other sizes (sizes.cpp): a firmware names its size as a type, so each has a loop.
-//
-// The loop for "466x466" or the like, with options set to that size; null: there is none.
-int (*main_of_size(const char* name))();
-
-// "240x240|466x466|...".
-std::string size_names();
-
 // A window that shows a display and turns what it shows by the mouse (window.cpp).
 //
-// Opens a window for the display that options ask for; ends the program where it cannot.
+// Opens the window; ends the program where it cannot.
 void open_window();
 // Shows RGB565 in the CPU's order.
 void show(const uint16_t* pixels);

@@ -45,20 +45,19 @@ void zoom(lumi::Orbit& orbit, int steps)
 void open_window()
 {
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no display");
-    const int scale = std::max(options.width_px, options.height_px) <= kDoubledPx ? 2 : 1;
-    SDL_Window* window = SDL_CreateWindow("LumiPath", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                                          scale * options.width_px, scale * options.height_px, 0);
+    const int scale = std::max(kWidthPx, kHeightPx) <= kDoubledPx ? 2 : 1;
+    SDL_Window* window = SDL_CreateWindow("LumiPath", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, scale * kWidthPx,
+                                          scale * kHeightPx, 0);
     if (window == nullptr) fail("no window");
     renderer = SDL_CreateRenderer(window, -1, 0);
     if (renderer == nullptr) fail("no renderer");
-    texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_RGB565, SDL_TEXTUREACCESS_STREAMING, options.width_px,
-                                options.height_px);
+    texture = SDL_CreateTexture(renderer, SDL_PIXELFORMAT_RGB565, SDL_TEXTUREACCESS_STREAMING, kWidthPx, kHeightPx);
     if (texture == nullptr) fail("no texture");
 }
 
 void show(const uint16_t* pixels)
 {
-    SDL_UpdateTexture(texture, nullptr, pixels, options.width_px * static_cast<int>(sizeof(*pixels)));
+    SDL_UpdateTexture(texture, nullptr, pixels, kWidthPx * static_cast<int>(sizeof(*pixels)));
     SDL_RenderCopy(renderer, texture, nullptr, nullptr);
     SDL_RenderPresent(renderer);
 }
