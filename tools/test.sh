@@ -6,8 +6,9 @@
 # Checks by clang-tidy the sources that changed most in the last commits. Installs missing packages when run as root.
 # --all adds what tests/scope.cmake leaves out: every test without sanitizers, the laboratory, every policy and unit
 # test on two boards, every frame on every board, every failure on purpose, clang-format, clang-tidy (which reads file by
-# file and so shows missing includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target, the commands of the examples'
-# pages, and the page of `lumi view` in Chromium. There a missing tool is an error.
+# file and so shows missing includes), cppcheck, the branches that core's tests take, a minute of fuzzing a target and of
+# random frames on boards, the commands of the examples' pages, and the page of `lumi view` in Chromium. There a missing
+# tool is an error.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
