@@ -3,9 +3,10 @@
 """hops.py [ROOT]
 
 Prints the functions that a reader passes in core, the project's at ROOT or this one: from View::draw to the texels that
-a sample shows, and from View::look to a vertex. The compiler says who calls whom: it compiles a view and core's sources
-with nothing inlined. Overloads and instances of a template count as one function, a lambda as the function it stands
-in, so that each way is the longest there is without a function twice. Exits with 1 where a way is longer than it may be.
+a sample shows, and from View::look to a vertex. Of several ways it prints the longest, such as that through glass. The
+compiler says who calls whom: it compiles a view and core's sources with nothing inlined. Overloads and instances of a
+template count as one function, a lambda as the function it stands in, and no way has a function twice. Exits with 1
+where a way is longer than it may be.
 """
 import collections
 import pathlib

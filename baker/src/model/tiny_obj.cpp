@@ -177,6 +177,7 @@ struct ColourField {
 constexpr ColourField kColourFields[] = {
     {"Kd", &Read::diffuse}, {"Ks", &Read::specular}, {"Ke", &Read::emission}, {"Tf", &Read::transmittance}};
 
+// The package keeps these words of MTL in numbers of its own; mtl_reader.cpp lists all that have a meaning.
 struct NumberField {
     const char* keyword;
     double Read::*number;

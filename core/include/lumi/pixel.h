@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Output formats of a display: policies with `kBytes`, `store(pointer, colour)`, `store_grey(pointer, value)` (the same
 // for equal channels) and `load(pointer)`. Pixels of 16 and 32 bits lie at multiples of their size. Those that hold
-// coverage also have `store_covered(pointer, colour, coverage)`, see OverNothing. Packed greys: pack.h.
+// coverage also have `store_covered(pointer, colour, coverage)`, see OverNothing. A new format needs no more: the
+// traits at the end of this file only make some formats faster. Packed greys: pack.h.
 #pragma once
 #pragma GCC system_header
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loops of lumi/surface/detail/row_loops.h in C++, for every kind of colour and way to read textures, of opaque
+// The loops of lumi/surface/detail/rows.h in C++, for every kind of colour and way to read textures, of opaque
 // triangles and of see-through ones.
 //
 // A build may put hot functions into one section (LUMI_HOT_SECTION), of which a linker takes all that one file has or

@@ -10,7 +10,7 @@
 // sample nor leave one out.
 #pragma once
 
-#include "lumi/surface/detail/row_loops.h"
+#include "lumi/surface/detail/rows.h"
 #include "lumi/surface/frame.h"
 
 namespace lumi::detail

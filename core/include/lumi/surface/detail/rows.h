@@ -26,7 +26,8 @@ struct EdgeWalk {
 struct Rows {
     int32_t edge_q16[2];  // left, right
     int32_t edge_step_q16[2];
-    uint32_t depth, place, colour;                    // Q16; v and u, 6 bits and 10 of fraction each; PackedColour
+    // `depth` is Q16; `place` has v in its upper half and u in its lower, UQ6.10 each; `colour` is a PackedColour.
+    uint32_t depth, place, colour;
     uint32_t depth_right, place_right, colour_right;  // what a sample adds
     uint32_t depth_down, place_down, colour_down;     // what a row adds
     uint8_t* row;                                     // its first depth
