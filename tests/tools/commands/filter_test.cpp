@@ -124,8 +124,9 @@ TEST_CASE("a filter takes pictures of the best mode only")
 TEST_CASE("training makes pictures of unseen views more alike, the same bytes each time, another scene is refused")
 {
     const FilterShop shop;
-    const Arguments call = {"filter", "train", shop.field, shop.scene, "--views", "40",      "--side",
-                            "48",     "--spp", "32",       "--epochs", "20",      "--cache", shop.folder / "cache"};
+    const Arguments call = {
+        "filter", "train", shop.field, shop.scene, "--sky",    "gradient", "--views", "80",
+        "--side", "48",    "--spp",    "32",       "--epochs", "20",       "--cache", shop.folder / "cache"};
     std::string told;
     const auto trained = [&](const std::string& name) {
         Arguments all = call;
